@@ -1,0 +1,65 @@
+#pragma once
+
+#include <vector>
+
+#include "nacre/colour/colour_types.h"
+#include "nacre/colour/observer.h"
+#include "nacre/sampled_curve.h"
+#include "nacre/spectrum.h"
+
+namespace nacre {
+
+/// Observer x illuminant at whole nanometres, linear between them, normalised so that R = 1 has Y = 1.
+///
+/// `x`, `y`, `z` hold one weight per nanometre from first_nm to last_nm; a curve R has
+/// X = integral of R(nm) * x(nm) d nm, where x(nm) is the piecewise linear function through the weights.
+/// Everything below integrates that function, and normalises by the same rule, so white is exact.
+struct TristimulusWeights {
+    /// Zeros behind the last weight, so that a SIMD register may be loaded past it.
+    static constexpr int padding = 32;
+
+    int first_nm = 0;
+    int last_nm = 0;
+    std::vector<double> x;
+    std::vector<double> y;
+    std::vector<double> z;
+    Xyz white;  ///< what R = 1 over the whole range integrates to; white.y == 1
+
+    /// Number of weights, the padding not counted.
+    int count() const { return last_nm - first_nm + 1; }
+};
+
+/// @param illuminant          relative spectral power, any scale, linear between its nodes, 0 outside them
+/// @param first_nm,last_nm    range of integration, 360 <= first_nm < last_nm <= 830
+/// @pre the illuminant has power somewhere in the range (planning guarantees it)
+TristimulusWeights make_tristimulus_weights(Observer observer, const SampledCurve& illuminant, int first_nm = 360,
+                                            int last_nm = 830);
+
+/// Tristimulus values of height * cos(pi (nm - peak) / width), |nm - peak| < width / 2, exactly.
+///
+/// Product integration: over one nanometre the weight is linear and the lobe a cosine, which has a closed form
+/// (see tristimulus.cpp). No sampling error at any width; what is left is rounding, below 1e-14 absolute.
+/// @param peak_nm,width_nm  any finite numbers, width_nm >= 0 (0 gives black)
+/// @param height            in [0, 1]
+Xyz lobe_to_xyz(const TristimulusWeights& weights, double peak_nm, double width_nm, double height);
+
+/// The same number by the closed form of every cell, one by one: the simple twin that tests and benchmarks
+/// hold lobe_to_xyz() against.
+Xyz lobe_to_xyz_per_cell(const TristimulusWeights& weights, double peak_nm, double width_nm, double height);
+
+/// Weights for spectra sampled at a grid: X = sum of value[i] * x[i] (trapezium rule at the grid's nodes,
+/// weights linear between whole nanometres), normalised so that a spectrum of ones has Y = 1.
+struct GridWeights {
+    std::vector<double> x;
+    std::vector<double> y;
+    std::vector<double> z;
+    Xyz white;
+};
+
+/// @pre grid lies within [weights.first_nm, weights.last_nm]
+GridWeights make_grid_weights(const TristimulusWeights& weights, const WavelengthGrid& grid);
+
+/// @pre spectrum has as many values as the weights
+Xyz to_xyz(const GridWeights& weights, const Spectrum& spectrum);
+
+}  // namespace nacre

@@ -136,6 +136,7 @@ Xyz lobe_to_xyz(const TristimulusWeights& weights, double peak_nm, double width_
     constexpr double few_cells_nm = 4.0;
     if (!(width_nm > few_cells_nm)) return lobe_to_xyz_per_cell(weights, peak_nm, width_nm, height);
     const Interval support = support_in_range(weights, peak_nm, width_nm);
+    if (!(support.from_nm < support.to_nm)) return {};  // also keeps the casts below within int
     const int first = static_cast<int>(std::ceil(support.from_nm));
     const int last = static_cast<int>(std::floor(support.to_nm));
     // The range ends at whole nanometres, so a lobe that shows less than a cell is cut off on one side.

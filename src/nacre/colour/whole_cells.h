@@ -38,7 +38,7 @@ struct WholeCells {
 /// Integral over the cells of the cosine times the piecewise linear weights, exactly.
 ///
 /// SIMD (Highway), the widest instruction set that the machine has; the last bits may differ between sets.
-/// Accuracy: 2e-14 absolute, held against the per-cell form by tests.
+/// Accuracy: 5e-14 absolute, held against the per-cell form by tests.
 Xyz integrate_whole_cells(const TristimulusWeights& weights, const WholeCells& cells);
 
 }  // namespace nacre

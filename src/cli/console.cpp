@@ -1,0 +1,78 @@
+#include "cli/console.h"
+
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+
+#include "nacre/error.h"
+
+namespace nacre {
+namespace {
+
+constexpr std::size_t bar_width = 40;
+
+void write_out(std::string_view line) {
+    std::fwrite(line.data(), 1, line.size(), stdout);
+    std::fputc('\n', stdout);
+    if (std::ferror(stdout) != 0) throw IoError(std::string("standard output cannot be written: ") + std::strerror(errno));
+}
+
+}  // namespace
+
+void Console::result(std::string_view line) {
+    const std::lock_guard lock(mutex_);
+    clear_progress();
+    write_out(line);
+}
+
+void Console::summary(std::string_view line) {
+    if (!options_.json && !options_.quiet) result(line);
+}
+
+void Console::note(std::string_view line) {
+    if (options_.verbose && !options_.quiet) say(line);
+}
+
+void Console::warning(std::string_view line) {
+    if (!options_.quiet) say("nacre: warning: " + std::string(line));
+}
+
+void Console::error(std::string_view line) {
+    say("nacre: " + std::string(line));
+}
+
+void Console::say(std::string_view line) {
+    const std::lock_guard lock(mutex_);
+    clear_progress();
+    std::fprintf(stderr, "%.*s\n", static_cast<int>(line.size()), line.data());
+}
+
+void Console::progress(std::size_t done, std::size_t total) {
+    static const bool on_terminal = ::isatty(STDERR_FILENO) == 1;
+    if (!on_terminal || options_.quiet || options_.json || total < 2) return;
+    const std::lock_guard lock(mutex_);
+    const std::size_t filled = bar_width * done / total;
+    const std::string bar = std::string(filled, '#') + std::string(bar_width - filled, '.');
+    std::fprintf(stderr, "\r[%s] %zu of %zu", bar.c_str(), done, total);
+    std::fflush(stderr);
+    bar_shown_ = true;
+    if (done == total) clear_progress();
+}
+
+void Console::clear_progress() {
+    if (!bar_shown_) return;
+    std::fputs("\r\033[K", stderr);
+    bar_shown_ = false;
+}
+
+void Console::finish() {
+    const std::lock_guard lock(mutex_);
+    clear_progress();
+    if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) {
+        throw IoError(std::string("standard output cannot be written: ") + std::strerror(errno));
+    }
+}
+
+}  // namespace nacre

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "cli/console.h"
+#include "io/baked_lut.h"
+#include "io/colour_config.h"
+#include "nacre/bake/plan.h"
+
+namespace nacre {
+
+/// A scene with nothing left to go wrong but the disk: planned, its OpenColorIO config open, every space, display and
+/// view found.
+struct LoadedScene {
+    std::string path;
+    Plan plan;
+    ColourConfig config;
+    ColourSource source;
+    ColourTransform transform;                      ///< XYZ D65 to the LUTs' colour space
+    std::vector<ColourTransform> swatch_transforms;  ///< as many as the plan has swatches
+};
+
+/// @param ocio         --ocio: wins over the scene's config, which wins over $OCIO
+/// @param want_swatches  whether displays and views are needed
+LoadedScene load_scene(const std::string& path, const std::string& ocio, bool want_swatches, Console& console);
+
+/// All of them; throws Error if two scenes would write one file.
+std::vector<LoadedScene> load_scenes(const std::vector<std::string>& paths, const std::string& ocio, bool want_swatches,
+                                     Console& console);
+
+}  // namespace nacre

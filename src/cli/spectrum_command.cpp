@@ -1,0 +1,208 @@
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <nlohmann/json.hpp>
+
+#include "cli/commands.h"
+#include "io/curve_csv.h"
+#include "io/scene_file.h"
+#include "nacre/bake/bake.h"
+#include "nacre/bake/names.h"
+#include "nacre/bake/text.h"
+#include "nacre/error.h"
+
+namespace nacre {
+namespace {
+
+struct SpectrumOptions {
+    std::string scene;
+    std::vector<std::string> materials;
+    std::vector<double> angles_deg;
+    std::string points;
+    bool xyz = false;
+};
+
+// One row that is asked for. The texts are the user's own, so that rows can be joined with what he has.
+struct Point {
+    const Material* material = nullptr;
+    std::string angle_text;
+    double angle_deg = 0.0;
+    std::string wavelength_text;
+    double wavelength_nm = 0.0;
+};
+
+constexpr double longest_wavelength_nm = 1e6;
+
+// A table of text and numbers that is printed as CSV (17 digits, so that a double comes back) or as JSON.
+class Report {
+public:
+    Report(Console& console, std::vector<std::string> texts, std::vector<std::string> numbers)
+        : console_(console), text_names_(std::move(texts)), number_names_(std::move(numbers)) {
+        std::vector<std::string> all = text_names_;
+        all.insert(all.end(), number_names_.begin(), number_names_.end());
+        std::string line;
+        for (const std::string& name : all) line += (line.empty() ? "" : ",") + name;
+        if (!console_.json()) console_.result(line);
+    }
+
+    void row(const std::vector<std::string>& texts, const std::vector<double>& numbers) {
+        if (console_.json()) {
+            nlohmann::ordered_json object;
+            for (std::size_t i = 0; i < texts.size(); ++i) object[text_names_[i]] = texts[i];
+            for (std::size_t i = 0; i < numbers.size(); ++i) object[number_names_[i]] = numbers[i];
+            json_.push_back(std::move(object));
+            return;
+        }
+        std::string line;
+        for (const std::string& text : texts) line += (line.empty() ? "" : ",") + text;
+        for (const double number : numbers) {
+            char digits[40];
+            std::snprintf(digits, sizeof digits, ",%.17g", number);
+            line += digits;
+        }
+        console_.result(line);
+    }
+
+    void finish() {
+        if (console_.json()) console_.result(json_.dump(2));
+    }
+
+private:
+    Console& console_;
+    std::vector<std::string> text_names_;
+    std::vector<std::string> number_names_;
+    nlohmann::ordered_json json_ = nlohmann::ordered_json::array();
+};
+
+class SpectrumRun {
+public:
+    SpectrumRun(const SpectrumOptions& options, Console& console)
+        : options_(options), console_(console), plan_(plan_scene(read_scene_file(options.scene), curve_reader())) {}
+
+    int run() {
+        const std::vector<Point> points = options_.points.empty() ? points_of_options() : points_of_file();
+        if (options_.xyz) {
+            print_xyz(points);
+        } else if (options_.points.empty()) {
+            print_spectra(points);
+        } else {
+            print_points(points);
+        }
+        return exit_done;
+    }
+
+private:
+    const Material& material(const std::string& name, const std::string& where) const {
+        std::vector<std::string> known;
+        for (const Material& candidate : plan_.materials) {
+            if (candidate.name == name) return candidate;
+            known.push_back(candidate.name);
+        }
+        const auto near = nearest_names(name, known, 5);
+        throw Error(where + ": unknown material " + in_quotes(name) + "; known: " + comma_separated(near.empty() ? known : near));
+    }
+
+    static void check_angle(double angle_deg, const std::string& where) {
+        if (angle_deg >= 0.0 && angle_deg <= 90.0) return;
+        throw Error(where + ": angle " + number_text(angle_deg) + " is out of range; allowed [0, 90] degrees");
+    }
+
+    std::vector<Point> points_of_options() const {
+        std::vector<std::string> names = options_.materials;
+        if (names.empty()) {
+            for (const Material& candidate : plan_.materials) names.push_back(candidate.name);
+        }
+        std::vector<double> angles_deg = options_.angles_deg;
+        if (angles_deg.empty()) angles_deg = {0.0};
+        std::vector<Point> points;
+        for (const std::string& name : names) {
+            for (const double angle_deg : angles_deg) {
+                check_angle(angle_deg, "--angle");
+                points.push_back({&material(name, "--material"), number_text(angle_deg), angle_deg, {}, 0.0});
+            }
+        }
+        return points;
+    }
+
+    std::vector<Point> points_of_file() const {
+        const std::size_t columns = options_.xyz ? 2 : 3;
+        const char* heading = options_.xyz ? "material,angle_deg" : "material,angle_deg,wavelength_nm";
+        std::vector<CsvRow> rows = read_csv(options_.points);
+        if (!rows.empty() && rows.front().fields.size() >= 2 && rows.front().fields[1] == "angle_deg") rows.erase(rows.begin());
+        std::vector<Point> points;
+        for (const CsvRow& row : rows) {
+            const std::string where = options_.points + ":" + std::to_string(row.line);
+            if (row.fields.size() != columns) {
+                throw Error(where + ": has " + std::to_string(row.fields.size()) + " columns; give " + heading);
+            }
+            Point point{&material(row.fields[0], where), row.fields[1], csv_number(options_.points, row, 1), {}, 0.0};
+            check_angle(point.angle_deg, where);
+            if (!options_.xyz) {
+                point.wavelength_text = row.fields[2];
+                point.wavelength_nm = csv_number(options_.points, row, 2);
+                if (!(point.wavelength_nm > 0.0 && point.wavelength_nm <= longest_wavelength_nm)) {
+                    throw Error(where + ": wavelength " + row.fields[2] + " is out of range; allowed (0, " + number_text(longest_wavelength_nm) + "] nm");
+                }
+            }
+            points.push_back(std::move(point));
+        }
+        return points;
+    }
+
+    void print_spectra(const std::vector<Point>& points) {
+        const LightSettings& light = plan_.light->settings;
+        const WavelengthGrid grid{static_cast<double>(light.first_nm), static_cast<double>(light.last_nm), light.last_nm - light.first_nm + 1};
+        Report report(console_, {"material", "angle_deg"}, {"wavelength_nm", "R_s", "R_p", "R"});
+        for (const Point& point : points) {
+            const Spectrum spectrum = reflectance(point.material->mechanism, Incidence::from_degrees(point.angle_deg), grid);
+            for (int node = 0; node < grid.count; ++node) {
+                const double r = spectrum.value[static_cast<std::size_t>(node)];
+                report.row({point.material->name, point.angle_text}, {grid.wavelength_nm(node), r, r, r});
+            }
+        }
+        report.finish();
+    }
+
+    void print_points(const std::vector<Point>& points) {
+        Report report(console_, {"material", "angle_deg", "wavelength_nm"}, {"R_s", "R_p", "T_s", "T_p"});
+        for (const Point& point : points) {
+            const Response response = response_at(point.material->mechanism, Incidence::from_degrees(point.angle_deg), point.wavelength_nm);
+            report.row({point.material->name, point.angle_text, point.wavelength_text},
+                       {response.reflectance_s, response.reflectance_p, response.transmittance_s, response.transmittance_p});
+        }
+        report.finish();
+    }
+
+    void print_xyz(const std::vector<Point>& points) {
+        Report report(console_, {"material", "angle_deg"}, {"X", "Y", "Z", "X_adapted", "Y_adapted", "Z_adapted"});
+        for (const Point& point : points) {
+            const Xyz seen = reflectance_xyz(point.material->mechanism, Incidence::from_degrees(point.angle_deg), *plan_.light);
+            const Xyz adapted = adapt(plan_.light->adaptation, seen);
+            report.row({point.material->name, point.angle_text}, {seen.x, seen.y, seen.z, adapted.x, adapted.y, adapted.z});
+        }
+        report.finish();
+    }
+
+    const SpectrumOptions& options_;
+    Console& console_;
+    Plan plan_;
+};
+
+}  // namespace
+
+Command add_spectrum_command(CLI::App& app) {
+    const auto options = std::make_shared<SpectrumOptions>();
+    app.add_option("SCENE", options->scene, "scene file (TOML)")->required();
+    app.add_option("--material", options->materials, "material of the scene; may be repeated; default: all")->allow_extra_args(false);
+    app.add_option("--angle", options->angles_deg, "degrees from the normal, 0 to 90; default: 0");
+    app.add_option("--points", options->points,
+                   "CSV of material,angle_deg,wavelength_nm: R_s,R_p,T_s,T_p per row; with --xyz of material,angle_deg")
+        ->excludes("--material")
+        ->excludes("--angle");
+    app.add_flag("--xyz", options->xyz, "X, Y, Z under the scene's light instead, before and after adaptation to D65");
+    app.footer("\nThe exact model, no LUT in between. A palette is opaque: its T is 0, and s and p are alike.\n\n"
+               "Example:\n  nacre spectrum configs/scenes/morpho.toml --material morpho --angle 0 20 40\n");
+    return [options](Console& console) { return SpectrumRun(*options, console).run(); };
+}
+
+}  // namespace nacre

@@ -1,0 +1,201 @@
+#include "io/baked_lut.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "io/scene_file.h"
+#include "io/hash.h"
+#include "nacre/bake/bake.h"
+#include "nacre/bake/text.h"
+#include "nacre/colour/rgb_space.h"
+#include "nacre/error.h"
+#include "nacre_version.h"
+
+namespace nacre {
+namespace {
+
+// Every attribute that a header must have; the rest depends on the LUT.
+constexpr std::array required_attributes{"version",          "scene",           "sceneHash",   "lut",
+                                         "material",         "mechanism",       "axisX",       "size",
+                                         "sampling",         "illuminant",      "observer",    "adapt",
+                                         "rangeNm",          "integration",     "colourSpace", "colourConfig",
+                                         "colourConfigHash", "colourTransform", "gamut",       "format"};
+
+std::string integration_text(const LightSettings& light) {
+    return light.wavelengths ? std::to_string(*light.wavelengths) + " wavelengths" : "exact";
+}
+
+std::optional<std::array<float, 8>> chromaticities_of(const ColourTransform& transform) {
+    auto primaries = primaries_by_interop_id(transform.interop_id());
+    if (!primaries && transform.linear_matrix()) primaries = primaries_of(*transform.linear_matrix());
+    if (!primaries) return std::nullopt;
+    std::array<float, 8> numbers{};
+    std::size_t i = 0;
+    for (const Chromaticity& c : {primaries->red, primaries->green, primaries->blue, primaries->white}) {
+        numbers[i++] = static_cast<float>(c.x);
+        numbers[i++] = static_cast<float>(c.y);
+    }
+    return numbers;
+}
+
+LutHeader make_header(const PlannedLut& lut, const ColourSettings& colour, const ColourSource& source,
+                      const ColourTransform& transform, const BakedLut& baked) {
+    const Job& job = lut.job;
+    const LightSettings& light = job.light->settings;
+    const std::string scene = scene_toml(lut, colour);
+    LutHeader header;
+    header.software = "nacre " + std::string(nacre_version());
+    header.interop_id = transform.interop_id();
+    header.chromaticities = chromaticities_of(transform);
+    const auto add = [&](const char* name, std::string value) { header.nacre.emplace_back(name, std::move(value)); };
+    add("version", std::string(nacre_version()));
+    add("lut", lut.name);
+    add("material", job.material.name);
+    add("mechanism", std::string(mechanism_name(job.material.mechanism)));
+    add("axisX", axis_toml(job.x));
+    if (job.y) add("axisY", axis_toml(*job.y));
+    add("size", std::to_string(job.width) + " x " + std::to_string(job.height));
+    add("format", std::string(name_of(format_words, lut.format)));
+    add("sampling",
+        "texel i is the value at i / (N - 1); texture coordinate (x * (N - 1) + 0.5) / N; linear, clamp, no mip-maps");
+    add("illuminant", light.illuminant);
+    add("observer", std::string(name_of(observer_words, light.observer)));
+    add("adapt", std::string(name_of(adaptation_words, light.adaptation)));
+    add("rangeNm", std::to_string(light.first_nm) + " " + std::to_string(light.last_nm));
+    add("integration", integration_text(light));
+    add("colourSpace", transform.target());
+    add("colourConfig", source.config);
+    add("colourConfigHash", source.hash);
+    add("colourTransform", transform.to_ctf());
+    add("gamut", std::string(name_of(gamut_words, colour.gamut)));
+    add("gamutOutside", std::to_string(baked.gamut.outside));
+    if (baked.clamped.below_deg) add("clampedBelowDeg", number_text(*baked.clamped.below_deg));
+    if (baked.clamped.above_deg) add("clampedAboveDeg", number_text(*baked.clamped.above_deg));
+    add("scene", scene);
+    add("sceneHash", hash_text(scene));
+    return header;
+}
+
+nlohmann::ordered_json axis_json(const Axis& axis) {
+    if (axis.is_angle()) return {{"axis", axis.kind->name}};
+    return {{"parameter", axis.parameter.name}, {"from", axis.from}, {"to", axis.to}};
+}
+
+}  // namespace
+
+std::string_view nacre_version() {
+    return NACRE_VERSION;
+}
+
+BakedLut bake_lut(const PlannedLut& lut, const ColourSettings& colour, const ColourSource& source,
+                  const ColourTransform& transform) {
+    BakedLut baked;
+    const Image<Xyz> xyz = bake(lut.job);
+    baked.image = transform.apply(xyz);
+    baked.gamut = fit_to_gamut(colour.gamut, baked.image, xyz);
+    if (const auto* palette = std::get_if<Palette>(&lut.job.material.mechanism))
+        baked.clamped = palette_clamp_bounds(*palette);
+    baked.header = make_header(lut, colour, source, transform, baked);
+    return baked;
+}
+
+std::string manifest_json(const PlannedLut& lut, const BakedLut& baked) {
+    const Job& job = lut.job;
+    const LightSettings& light = job.light->settings;
+    const LutHeader& header = baked.header;
+    nlohmann::ordered_json json;
+    json["nacre"] = nacre_version();
+    json["file"] = lut.name + ".exr";
+    json["material"] = job.material.name;
+    json["mechanism"] = mechanism_name(job.material.mechanism);
+    json["width"] = job.width;
+    json["height"] = job.height;
+    json["format"] = name_of(format_words, lut.format);
+    json["x"] = axis_json(job.x);
+    if (job.y) json["y"] = axis_json(*job.y);
+    json["first_row"] = "smallest y";
+    json["texcoord"] = "(x * (N - 1) + 0.5) / N";
+    json["filter"] = "linear";
+    json["wrap"] = "clamp";
+    json["mipmaps"] = false;
+    json["colour_space"] = header.value("colourSpace");
+    if (!header.interop_id.empty()) json["color_interop_id"] = header.interop_id;
+    if (header.chromaticities) {
+        // Back through text: a float's own digits, not those of its neighbourhood in double.
+        for (const float number : *header.chromaticities)
+            json["chromaticities"].push_back(std::round(static_cast<double>(number) * 1e6) / 1e6);
+    }
+    json["colour_config"] = header.value("colourConfig");
+    json["gamut"] = {{"rule", header.value("gamut")},
+                     {"texels_outside", baked.gamut.outside},
+                     {"most_negative", baked.gamut.most_negative}};
+    json["light"] = {{"illuminant", light.illuminant},
+                     {"observer", header.value("observer")},
+                     {"adapt", header.value("adapt")},
+                     {"range_nm", {light.first_nm, light.last_nm}},
+                     {"integration", header.value("integration")}};
+    if (baked.clamped.below_deg) json["clamped_below_deg"] = *baked.clamped.below_deg;
+    if (baked.clamped.above_deg) json["clamped_above_deg"] = *baked.clamped.above_deg;
+    json["scene"] = header.value("scene");
+    json["scene_hash"] = header.value("sceneHash");
+    return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+}
+
+Verification verify_lut(const StoredLut& stored) {
+    Verification result;
+    for (const char* name : required_attributes) {
+        if (stored.header.value(name).empty()) result.missing.emplace_back(name);
+    }
+    const std::string scene = stored.header.value("scene");
+    if (scene.empty() || stored.header.value("colourTransform").empty()) {
+        result.problem = "the header does not say how the LUT was made";
+        return result;
+    }
+    if (hash_text(scene) != stored.header.value("sceneHash")) {
+        result.problem = "the scene in the header is not the one that its hash was made of";
+        return result;
+    }
+    BakedLut again;
+    try {
+        const Plan plan =
+            plan_scene(parse_scene(scene, "header"), [](const std::string& file, const Where& where) -> SampledCurve {
+                throw Error(where.text() + ": names the file " + file);
+            });
+        if (plan.luts.size() != 1)
+            throw Error("the scene in the header holds " + std::to_string(plan.luts.size()) + " LUTs");
+        const auto transform = ColourTransform::from_ctf(stored.header.value("colourTransform"),
+                                                         stored.header.value("colourSpace"), "header");
+        again = bake_lut(plan.luts.front(), plan.colour, {}, transform);
+        if (plan.luts.front().format != stored.format)
+            throw Error("the scene asks for another number format than the file has");
+    } catch (const Error& error) {
+        result.problem = error.what();
+        return result;
+    }
+    for (const auto& [name, value] : again.header.nacre) {
+        const bool about_origin = name == "version" || name == "colourConfig" || name == "colourConfigHash";
+        if (!about_origin && stored.header.value(name) != value) result.wrong.push_back("nacre:" + name);
+    }
+    if (stored.header.interop_id != again.header.interop_id) result.wrong.emplace_back("colorInteropID");
+    if (stored.header.chromaticities != again.header.chromaticities) result.wrong.emplace_back("chromaticities");
+    if (again.image.width() != stored.image.width() || again.image.height() != stored.image.height()) {
+        result.problem = "the scene in the header makes another size";
+        return result;
+    }
+    for (std::size_t i = 0; i < stored.image.size(); ++i) {
+        const Rgb& derived = again.image.data()[i];
+        const Rgb& present = stored.image.data()[i];
+        for (double Rgb::*component : {&Rgb::r, &Rgb::g, &Rgb::b}) {
+            const double difference = std::abs(stored_value(derived.*component, stored.format) - present.*component);
+            if (difference == 0.0) continue;
+            ++result.differing;  // NaN differs too
+            result.largest_difference =
+                std::isnan(difference) ? difference : std::max(result.largest_difference, difference);
+        }
+    }
+    return result;
+}
+
+}  // namespace nacre

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "io/colour_config.h"
+#include "io/lut_file.h"
+#include "nacre/bake/gamut.h"
+#include "nacre/bake/plan.h"
+
+namespace nacre {
+
+/// The version of this program: "0.1.0".
+std::string_view nacre_version();
+
+/// A LUT's pixels in the target space, and what its file will say of itself.
+struct BakedLut {
+    Image<Rgb> image;
+    LutHeader header;
+    GamutReport gamut;    ///< before [colour] gamut was applied
+    ClampBounds clamped;  ///< beyond these angles the picks ask for what no surface can do
+};
+
+/// Where the target space comes from, for the header.
+struct ColourSource {
+    std::string config;  ///< description, without a folder
+    std::string hash;
+};
+
+/// XYZ of every texel, through the colour transform and the gamut's rule, with its header.
+/// Throws Error if the space cannot hold the colours (not finite).
+BakedLut bake_lut(const PlannedLut& lut, const ColourSettings& colour, const ColourSource& source,
+                  const ColourTransform& transform);
+
+/// The manifest: JSON for tools, ending in a newline. No date, host or path.
+std::string manifest_json(const PlannedLut& lut, const BakedLut& baked);
+
+/// What verifying a file found.
+struct Verification {
+    std::vector<std::string> missing;  ///< header attributes that are not there
+    std::vector<std::string> wrong;    ///< attributes that contradict the scene in the header
+    std::string problem;               ///< why the LUT cannot be derived again; empty if it can
+    std::size_t differing = 0;         ///< components that are not the re-bake's
+    double largest_difference = 0.0;   ///< of linear RGB
+
+    bool passed() const { return missing.empty() && wrong.empty() && problem.empty() && differing == 0; }
+};
+
+/// Derives a LUT again from nothing but its header, and compares every component. Throws IoError if it cannot be read.
+Verification verify_lut(const StoredLut& stored);
+
+}  // namespace nacre

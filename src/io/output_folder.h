@@ -1,0 +1,60 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <mutex>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace nacre {
+
+/// A folder that files appear in whole or not at all.
+///
+/// write() puts the bytes into a temporary file beside the target; commit() makes all of them durable, reads them back,
+/// and renames them into place. Whatever happens, and whenever the process is killed, a target is its old self or its
+/// new one. What makes files durable is paid once per commit, not per file. Temporary files that were not committed
+/// are removed by the destructor.
+///
+/// Every failure of the system is an IoError that names the file. write() may be called from several threads at once.
+class OutputFolder {
+public:
+    /// Creates the folder, and those above it, if they are missing.
+    explicit OutputFolder(std::string path);
+    ~OutputFolder();
+    OutputFolder(const OutputFolder&) = delete;
+    OutputFolder& operator=(const OutputFolder&) = delete;
+
+    const std::string& path() const { return path_; }
+
+    /// Whether the file is there already with just these bytes.
+    bool holds(const std::string& name, std::string_view bytes) const;
+
+    void write(const std::string& name, std::string_view bytes);
+
+    /// Puts everything written so far into place.
+    void commit();
+
+    /// Number of files written and not committed yet.
+    std::size_t pending() const;
+
+private:
+    struct Pending {
+        std::string name;
+        std::string temporary;
+        std::uint64_t hash;
+        std::size_t size;
+    };
+
+    void make_durable(const std::vector<Pending>& files) const;
+    void read_back(const Pending& file) const;
+    std::string full_path(const std::string& name) const;
+
+    std::string path_;
+    int descriptor_ = -1;  // of the folder itself: its name may vanish, this does not
+    mutable std::mutex mutex_;
+    std::vector<Pending> pending_;
+    std::uint64_t next_ = 0;
+};
+
+}  // namespace nacre

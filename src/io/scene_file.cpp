@@ -1,0 +1,157 @@
+#include "io/scene_file.h"
+
+#include <toml++/toml.h>
+#include <cmath>
+#include <filesystem>
+#include <sstream>
+#include <utility>
+
+#include "io/curve_csv.h"
+#include "io/text_file.h"
+#include "nacre/bake/names.h"
+#include "nacre/bake/text.h"
+#include "nacre/error.h"
+
+namespace nacre {
+namespace {
+
+constexpr std::size_t largest_scene_bytes = 64u << 20;
+constexpr int deepest_include = 16;
+constexpr int deepest_nesting = 64;
+
+Where where_of(const toml::source_region& source, const std::string& file) {
+    return {file, static_cast<int>(source.begin.line), static_cast<int>(source.begin.column)};
+}
+
+// Walks toml++'s tree once; after that nobody else needs to know the library.
+class Converter {
+public:
+    explicit Converter(const std::string& file) : file_(file) {}
+
+    void fill(Table& table, const toml::table& source, int depth) const {
+        for (const auto& [key, node] : source) {
+            const std::string name(key.str());
+            // Messages name the nearest heading; line and column do the rest for inline tables and arrays.
+            const bool has_heading = node.is_table() && !node.as_table()->is_inline();
+            const std::string path = !has_heading           ? table.path()
+                                     : table.path().empty() ? name
+                                                            : table.path() + "." + name;
+            table.add(name, where_of(key.source(), file_), convert(node, path, depth + 1));
+        }
+    }
+
+private:
+    Value convert(const toml::node& node, const std::string& path, int depth) const {
+        const Where where = where_of(node.source(), file_);
+        if (depth > deepest_nesting) {
+            throw Error(where.text() + ": nested deeper than " + std::to_string(deepest_nesting) +
+                        " levels; no scene needs that");
+        }
+        if (const auto* value = node.as_boolean()) return {value->get(), where};
+        if (const auto* value = node.as_integer()) return {value->get(), where};
+        if (const auto* value = node.as_floating_point()) return {value->get(), where};
+        if (const auto* value = node.as_string()) return {value->get(), where};
+        if (const auto* array = node.as_array()) {
+            Value::Array elements;
+            elements.reserve(array->size());
+            for (std::size_t i = 0; i < array->size(); ++i) {
+                elements.push_back(convert((*array)[i], path, depth + 1));
+            }
+            return {std::move(elements), where};
+        }
+        if (const auto* table = node.as_table()) {
+            auto result = std::make_shared<Table>(path, where);
+            fill(*result, *table, depth);
+            return {std::move(result), where};
+        }
+        throw Error(where.text() + " [" + path +
+                    "]: a date or a time; a scene has numbers, strings, arrays and tables");
+    }
+
+    const std::string& file_;
+};
+
+// Top tables of several files become one: [material.a] here and [material.b] there is one [material].
+void merge(Table& into, const Table& from) {
+    for (const Table::Entry& entry : from.entries()) {
+        const Value* present = nullptr;
+        for (const Table::Entry& candidate : into.entries()) {
+            if (candidate.key == entry.key) present = &candidate.value;
+        }
+        const bool both_tables = present != nullptr && std::holds_alternative<std::shared_ptr<Table>>(present->data) &&
+                                 std::holds_alternative<std::shared_ptr<Table>>(entry.value.data);
+        if (both_tables) {
+            merge(*std::get<std::shared_ptr<Table>>(present->data),
+                  *std::get<std::shared_ptr<Table>>(entry.value.data));
+        } else if (present == nullptr || entry.key != "nacre") {
+            into.add(entry.key, entry.key_where, entry.value);
+        }
+    }
+}
+
+Table parse(const std::string& text, const std::string& name) {
+    try {
+        const toml::table source = toml::parse(text, name);
+        Table table("", {name, 0, 0});
+        Converter(name).fill(table, source, 0);
+        return table;
+    } catch (const toml::parse_error& error) {
+        throw Error(where_of(error.source(), name).text() + ": not TOML: " + std::string(error.description()));
+    }
+}
+
+Table read(const std::string& path, std::vector<std::filesystem::path>& open_files) {
+    const std::string text = read_text_file(path, largest_scene_bytes);
+    Table table = parse(text, path);
+    const Value* includes = table.find("include");
+    if (includes == nullptr) return table;
+    Table result("", table.where());
+    const auto folder = std::filesystem::path(path).parent_path();
+    for (const std::string& included : table.texts("include")) {
+        const auto file = folder / included;
+        std::error_code ignored;
+        const auto canonical = std::filesystem::weakly_canonical(file, ignored);
+        for (const auto& open_file : open_files) {
+            if (open_file == canonical)
+                table.fail(includes->where, "include of " + in_quotes(included) + " leads back to itself");
+        }
+        if (open_files.size() >= deepest_include) {
+            table.fail(includes->where, "include is nested deeper than " + std::to_string(deepest_include) + " files");
+        }
+        open_files.push_back(canonical);
+        try {
+            merge(result, read(file.string(), open_files));
+        } catch (const IoError& error) {
+            table.fail(includes->where, error.what());  // a scene that names a missing file is wrong; the disk is not
+        }
+        open_files.pop_back();
+    }
+    merge(result, table);
+    result.find("include");
+    return result;
+}
+
+}  // namespace
+
+Table read_scene_file(const std::string& path) {
+    std::error_code ignored;
+    std::vector<std::filesystem::path> open_files{std::filesystem::weakly_canonical(path, ignored)};
+    return read(path, open_files);
+}
+
+Table parse_scene(const std::string& text, const std::string& name) {
+    return parse(text, name);
+}
+
+CurveReader curve_reader() {
+    return [](const std::string& file, const Where& where) {
+        const auto path = std::filesystem::path(where.file).parent_path() / file;
+        try {
+            return read_curve_csv(path.string());
+        } catch (const IoError& error) {
+            throw Error(where.text() + ": " + error.what());
+        }
+    };
+}
+
+}  // namespace nacre

@@ -1,0 +1,79 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "nacre/bake/axis.h"
+#include "nacre/bake/catalogue.h"
+#include "nacre/bake/light.h"
+#include "nacre/bake/mechanism.h"
+
+namespace nacre {
+
+/// One image of XYZ: everything that bake() needs, with no name left to look up and no default left to choose.
+struct Job {
+    Material material;
+    std::shared_ptr<const Light> light;
+    Axis x = default_axis();
+    std::optional<Axis> y;
+    int width = 256;
+    int height = 1;  ///< 1 without y
+    double angle_deg = 0.0;  ///< where neither axis is the angle
+};
+
+/// Which OpenColorIO config, space and gamut. The config itself is opened by the front end.
+struct ColourSettings {
+    std::string config;  ///< file as the scene names it; empty: $OCIO, else ours
+    Where config_where;
+    std::string space = "lin_rec709";
+    Where space_where;
+    Gamut gamut = Gamut::keep;
+    std::string interchange;
+};
+
+/// One LUT: <name>.exr and what goes with it.
+struct PlannedLut {
+    std::string name;
+    Job job;
+    PixelFormat format = PixelFormat::half_float;
+    std::vector<LutOutput> outputs{LutOutput::exr, LutOutput::json};
+    Where where;
+};
+
+/// One picture: <name>.png.
+struct PlannedSwatch {
+    std::string name;
+    SwatchKind kind = SwatchKind::strip;
+    std::string title;
+    std::vector<Job> jobs;          ///< plane, strip, sphere: one; palette: one per pick shown
+    std::vector<std::size_t> picks; ///< palette: which pick each job is about
+    std::string display;            ///< empty: the config's default
+    std::string view;
+    Where where;
+};
+
+struct Plan {
+    std::shared_ptr<const Light> light;
+    ColourSettings colour;
+    std::vector<Material> materials;
+    std::vector<PlannedLut> luts;
+    std::vector<PlannedSwatch> swatches;
+};
+
+/// Decides everything that a scene leaves open. After it only the disk can fail.
+///
+/// Every mistake of the user's is found here: unknown keys and names, wrong types, numbers out of range, picks that
+/// contradict each other. Throws Error with file, line and column.
+/// @param scene  the top table of a scene, includes resolved
+Plan plan_scene(const Table& scene, const CurveReader& read_curve);
+
+/// A scene that holds one LUT and nothing else, every default written out: what a file header carries so that the LUT
+/// can be derived again. plan_scene() of it gives the same job, and this text again.
+std::string scene_toml(const PlannedLut& lut, const ColourSettings& colour);
+
+/// The longest side of a LUT, in texels.
+inline constexpr int largest_lut_size = 4096;
+
+}  // namespace nacre

@@ -1,0 +1,117 @@
+#include "nacre/bake/swatch_sphere.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/vec3.hpp>
+
+#include "nacre/bake/bake.h"
+#include "nacre/bake/swatch_gamut.h"
+
+namespace nacre {
+namespace {
+
+constexpr int table_size = 1024;
+constexpr int rim_samples = 4;
+constexpr double wall_luminance = 0.017;  // behind the ball; about 0.14 as a display shows it
+constexpr double corner_fade = 0.62;      // what the corners lose of it
+
+const glm::dvec3 eye{0.0, 0.0, 1.0};
+const glm::dvec3 up{0.0, 1.0, 0.0};
+const glm::dvec3 towards_light = glm::normalize(glm::dvec3{-0.38, 0.50, 0.78});
+const glm::dvec3 half_vector = glm::normalize(towards_light + eye);
+
+Xyz operator+(Xyz a, Xyz b) {
+    return {a.x + b.x, a.y + b.y, a.z + b.z};
+}
+Xyz operator*(double factor, Xyz colour) {
+    return {factor * colour.x, factor * colour.y, factor * colour.z};
+}
+
+// Linear interpolation, as a texture unit does it.
+Xyz colour_at(const Image<Xyz>& table, double cos_theta) {
+    const double position = std::sqrt(std::clamp(cos_theta, 0.0, 1.0)) * (table.width() - 1);
+    const int texel = std::min(static_cast<int>(position), table.width() - 2);
+    const double rest = position - texel;
+    return (1.0 - rest) * table.at(texel, 0) + rest * table.at(texel + 1, 0);
+}
+
+double brightest_component(Xyz colour) {
+    const Rgb rgb = linear_rec709(colour);
+    return std::max({rgb.r, rgb.g, rgb.b});
+}
+
+// Falls with the square of the distance, so that it is flat behind the ball.
+Xyz wall(double x, double y, int width, int height) {
+    const double across = 2.0 * x / width - 1.0;
+    const double down = 2.0 * y / height - 1.0;
+    const double distance_squared = 0.5 * (across * across + down * down);
+    return xyz_from_chromaticity(d65_chromaticity, wall_luminance * (1.0 - corner_fade * distance_squared));
+}
+
+}  // namespace
+
+Image<Xyz> sphere_table(const Job& job) {
+    Job fine = job;
+    fine.x = default_axis();
+    fine.y.reset();
+    fine.width = table_size;
+    fine.height = 1;
+    return bake(fine);
+}
+
+Xyz sphere_shade(const Image<Xyz>& table, double x, double y) {
+    const glm::dvec3 normal{x, y, std::sqrt(std::max(0.0, 1.0 - x * x - y * y))};
+    const double wrapped = std::max(glm::dot(normal, towards_light) + Ball::wrap, 0.0) / (1.0 + Ball::wrap);
+    const double lit = Ball::light * wrapped * wrapped;
+    const double sky = Ball::surround * 0.5 * (1.0 + glm::dot(normal, up));
+    return lit * colour_at(table, glm::dot(normal, half_vector)) + sky * colour_at(table, glm::dot(normal, eye));
+}
+
+Xyz sphere_coat(double x, double y) {
+    const double cos_theta = std::sqrt(std::max(0.0, 1.0 - x * x - y * y));
+    const double fresnel = 0.04 + 0.96 * std::pow(1.0 - cos_theta, 5.0);  // Schlick 1994, n = 1.5
+    return xyz_from_chromaticity(d65_chromaticity, fresnel * Ball::coat * 0.5 * (1.0 + y));
+}
+
+double sphere_exposure(const Image<Xyz>& table) {
+    constexpr int steps = 100;
+    double brightest = 0.0;
+    for (int j = -steps; j <= steps; ++j) {
+        for (int i = -steps; i <= steps; ++i) {
+            const double x = static_cast<double>(i) / steps;
+            const double y = static_cast<double>(j) / steps;
+            if (x * x + y * y > 1.0) continue;
+            brightest = std::max(brightest, brightest_component(sphere_shade(table, x, y)));
+        }
+    }
+    return brightest > 0.0 ? sphere_brightest / brightest : 1.0;
+}
+
+Image<Xyz> draw_ball(const Image<Xyz>& table, double exposure, const Ball& ball, int width, int height) {
+    Image<Xyz> image(width, height);
+    const auto sample = [&](double x, double y) {
+        const double across = (x - ball.centre_x) / ball.radius;
+        const double upwards = (ball.centre_y - y) / ball.radius;
+        if (across * across + upwards * upwards > 1.0) return wall(x, y, width, height);
+        return exposure * sphere_shade(table, across, upwards) + sphere_coat(across, upwards);
+    };
+    for (int row = 0; row < height; ++row) {
+        for (int column = 0; column < width; ++column) {
+            const double x = column + 0.5;
+            const double y = row + 0.5;
+            const bool is_rim = std::abs(std::hypot(x - ball.centre_x, y - ball.centre_y) - ball.radius) < 0.75;
+            const int samples = is_rim ? rim_samples : 1;
+            Xyz sum;
+            for (int j = 0; j < samples; ++j) {
+                for (int i = 0; i < samples; ++i) {
+                    sum = sum + sample(column + (i + 0.5) / samples, row + (j + 0.5) / samples);
+                }
+            }
+            image.at(column, row) = (1.0 / (samples * samples)) * sum;
+        }
+    }
+    return image;
+}
+
+}  // namespace nacre

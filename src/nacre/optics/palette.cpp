@@ -1,0 +1,125 @@
+#include "nacre/optics/palette.h"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+
+namespace nacre {
+namespace {
+
+constexpr double radians_per_degree = std::numbers::pi / 180.0;
+
+// Slope at an inner node: 0 at an extremum, else the weighted harmonic mean of the two secants, which never lets the
+// cubic overshoot (Fritsch & Butland 1984, SIAM J. Sci. Stat. Comput. 5(2), equation 5).
+double inner_slope(double left_step, double left_secant, double right_step, double right_secant) {
+    if (!(left_secant * right_secant > 0.0)) return 0.0;
+    const double left_weight = 2.0 * right_step + left_step;
+    const double right_weight = right_step + 2.0 * left_step;
+    return (left_weight + right_weight) / (left_weight / left_secant + right_weight / right_secant);
+}
+
+// The three numbers that are interpolated alike.
+constexpr std::array<double Lobe::*, 3> lobe_members{&Lobe::peak_nm, &Lobe::width_nm, &Lobe::height};
+
+bool needs_clamping(const Lobe& lobe) {
+    return lobe.height < 0.0 || lobe.height > 1.0 || lobe.width_nm < 0.0;
+}
+
+}  // namespace
+
+double shape_difference(double shape, const Incidence& a, const Incidence& b) {
+    const double half_sum = 0.5 * (a.theta_deg + b.theta_deg) * radians_per_degree;
+    const double half_difference = 0.5 * (a.theta_deg - b.theta_deg) * radians_per_degree;
+    const double cosines = -2.0 * std::sin(half_sum) * std::sin(half_difference);
+    return cosines * (shape * (a.cos_theta + b.cos_theta) + (1.0 - shape));
+}
+
+PaletteCurve::PaletteCurve(const Palette& palette) : shape_(palette.shape) {
+    assert(!palette.picks.empty());
+    for (const Pick& pick : palette.picks) nodes_.push_back({Incidence::from_degrees(pick.angle_deg), pick.lobe, 0.0, {}});
+    std::stable_sort(nodes_.begin(), nodes_.end(),
+                     [](const Node& a, const Node& b) { return a.at.theta_deg < b.at.theta_deg; });
+    const auto same_angle = [](const Node& a, const Node& b) { return a.at.theta_deg == b.at.theta_deg; };
+    nodes_.erase(std::unique(nodes_.begin(), nodes_.end(), same_angle), nodes_.end());
+    const std::size_t last = nodes_.size() - 1;
+    for (std::size_t i = 0; i < last; ++i) nodes_[i].step = shape_difference(shape_, nodes_[i + 1].at, nodes_[i].at);
+    if (last < 2) return;
+    for (const auto member : lobe_members) {
+        const auto secant = [&](std::size_t i) {
+            return (nodes_[i + 1].lobe.*member - nodes_[i].lobe.*member) / nodes_[i].step;
+        };
+        // At an end: the neighbouring secant, so that beyond it the curve goes on as the nearest two picks point.
+        nodes_.front().slope.*member = secant(0);
+        nodes_.back().slope.*member = secant(last - 1);
+        for (std::size_t i = 1; i < last; ++i) {
+            nodes_[i].slope.*member = inner_slope(nodes_[i - 1].step, secant(i - 1), nodes_[i].step, secant(i));
+        }
+    }
+}
+
+Lobe PaletteCurve::unclamped(const Incidence& incidence) const {
+    if (nodes_.size() == 1) return nodes_.front().lobe;
+    std::size_t i = 0;
+    while (i + 2 < nodes_.size() && incidence.theta_deg > nodes_[i + 1].at.theta_deg) ++i;
+    const Node& left = nodes_[i];
+    const Node& right = nodes_[i + 1];
+    const double t = shape_difference(shape_, incidence, left.at) / left.step;
+    Lobe lobe;
+    for (const auto member : lobe_members) {
+        const double v0 = left.lobe.*member;
+        const double v1 = right.lobe.*member;
+        const double m0 = left.slope.*member * left.step;  // per unit of t
+        const double m1 = right.slope.*member * left.step;
+        if (nodes_.size() == 2) {
+            lobe.*member = std::lerp(v0, v1, t);
+        } else if (t <= 0.0) {
+            lobe.*member = v0 + t * m0;
+        } else if (t >= 1.0) {
+            lobe.*member = v1 + (t - 1.0) * m1;
+        } else {
+            const double rest = 1.0 - t;
+            lobe.*member = v0 * rest * rest * (1.0 + 2.0 * t) + v1 * t * t * (3.0 - 2.0 * t) +
+                           t * rest * (m0 * rest - m1 * t);
+        }
+    }
+    return lobe;
+}
+
+Lobe PaletteCurve::at(const Incidence& incidence) const {
+    Lobe lobe = unclamped(incidence);
+    lobe.height = std::clamp(lobe.height, 0.0, 1.0);
+    lobe.width_nm = std::max(lobe.width_nm, 0.0);
+    return lobe;
+}
+
+Lobe palette_lobe_unclamped(const Palette& palette, const Incidence& incidence) {
+    return PaletteCurve(palette).unclamped(incidence);
+}
+
+Lobe palette_lobe(const Palette& palette, const Incidence& incidence) {
+    return PaletteCurve(palette).at(incidence);
+}
+
+ClampBounds palette_clamp_bounds(const Palette& palette) {
+    // Beyond an outer pick all three numbers are monotone in the angle, so bisection finds the one crossing.
+    const PaletteCurve curve(palette);
+    const auto crossing = [&](double inside_deg, double outside_deg) -> std::optional<double> {
+        const auto clamped = [&](double angle_deg) {
+            return needs_clamping(curve.unclamped(Incidence::from_degrees(angle_deg)));
+        };
+        if (!clamped(outside_deg)) return std::nullopt;
+        for (int halving = 0; halving < 60; ++halving) {
+            const double middle_deg = 0.5 * (inside_deg + outside_deg);
+            (clamped(middle_deg) ? outside_deg : inside_deg) = middle_deg;
+        }
+        return outside_deg;
+    };
+    const auto [first, last] = std::minmax_element(palette.picks.begin(), palette.picks.end(),
+                                                   [](const Pick& a, const Pick& b) { return a.angle_deg < b.angle_deg; });
+    return {crossing(first->angle_deg, 0.0), crossing(last->angle_deg, 90.0)};
+}
+
+}  // namespace nacre

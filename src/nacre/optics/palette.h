@@ -1,0 +1,79 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "nacre/optics/incidence.h"
+#include "nacre/optics/lobe.h"
+
+namespace nacre {
+
+/// One palette choice: the lobe that is seen at one angle.
+struct Pick {
+    double angle_deg = 0.0;  ///< in [0, 90]
+    Lobe lobe;
+    friend bool operator==(const Pick&, const Pick&) = default;
+};
+
+/// The paper's material: a lobe that moves with the angle so that it passes through every pick.
+///
+/// Along Y(theta) = p cos^2(theta) + (1 - p) cos(theta) (Park & Tsuruno 3.2.5, p is `shape`) the peak, the width and
+/// the height of two picks are straight lines: that is (3.2.8)-(3.2.13) without their division by the difference of the
+/// peaks. More picks: monotone cubic interpolation in Y (Fritsch & Carlson 1980, harmonic-mean slopes of Fritsch &
+/// Butland 1984), and straight lines outside the outermost picks.
+struct Palette {
+    std::vector<Pick> picks;  ///< at least one, in any order; one alone is the same lobe at every angle
+    double shape = default_shape;
+
+    /// The p with which some straight line in (3.2.5) follows the Bragg law of solid chitin (n = 1.56) best over 0-90
+    /// degrees: within 0.2 % of the peak at the normal. n = 1.25 would want 0.77 and n = 1.83 0.92; layers of air want
+    /// less.
+    static constexpr double default_shape = 0.88;
+
+    friend bool operator==(const Palette&, const Palette&) = default;
+};
+
+/// Angles that are closer than this count as one: the difference of their Y would underflow next to the normal.
+inline constexpr double smallest_pick_distance_deg = 1e-9;
+
+/// Y(a) - Y(b) without cancellation: cos a - cos b = -2 sin((a + b) / 2) sin((a - b) / 2).
+double shape_difference(double shape, const Incidence& a, const Incidence& b);
+
+/// A palette made ready to be asked at many angles.
+class PaletteCurve {
+public:
+    /// @pre picks at one angle are equal; others are `smallest_pick_distance_deg` or more apart
+    explicit PaletteCurve(const Palette& palette);
+
+    /// The lobe at an angle: height clamped to [0, 1], width to >= 0.
+    Lobe at(const Incidence& incidence) const;
+    /// What the formulas say, even where no surface can do it: beyond the picks the height may leave [0, 1] and the
+    /// width fall below 0.
+    Lobe unclamped(const Incidence& incidence) const;
+
+private:
+    struct Node {
+        Incidence at;
+        Lobe lobe;
+        double step = 0.0;  // Y of the next node less Y of this one
+        Lobe slope;         // per unit of Y; unused for two picks
+    };
+    std::vector<Node> nodes_;
+    double shape_;
+};
+
+/// PaletteCurve for one question.
+Lobe palette_lobe_unclamped(const Palette& palette, const Incidence& incidence);
+Lobe palette_lobe(const Palette& palette, const Incidence& incidence);
+
+/// Where a palette starts to ask for what no surface can do.
+struct ClampBounds {
+    std::optional<double> below_deg;  ///< angles smaller than this are clamped
+    std::optional<double> above_deg;  ///< angles larger than this are clamped
+};
+
+/// Never between the picks, because the interpolation does not overshoot; so at most once on either side.
+/// Accuracy: 1e-13 degrees (bisection to the last bits).
+ClampBounds palette_clamp_bounds(const Palette& palette);
+
+}  // namespace nacre

@@ -1,0 +1,85 @@
+#include "nacre/bake/axis_kinds.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <set>
+#include <string>
+
+#include "nacre/optics/incidence.h"
+
+namespace nacre {
+namespace {
+
+TEST(AxisKinds, TheDefaultIsTheSquareRootOfTheCosine) {
+    EXPECT_EQ(axis_kinds().front().name, "sqrt_cos_theta");
+}
+
+TEST(AxisKinds, NamesAreDistinct) {
+    std::set<std::string_view> names;
+    for (const AxisKind& kind : axis_kinds()) names.insert(kind.name);
+    EXPECT_EQ(names.size(), axis_kinds().size());
+}
+
+TEST(AxisKinds, EveryAxisReachesItsEndsExactly) {
+    for (const AxisKind& kind : axis_kinds()) {
+        SCOPED_TRACE(kind.name);
+        for (const double end : {0.0, 1.0}) {
+            const double cos_theta = kind.cos_theta(end);
+            EXPECT_TRUE(cos_theta == 0.0 || cos_theta == 1.0) << cos_theta;
+            EXPECT_EQ(kind.coordinate(cos_theta), end);
+        }
+    }
+}
+
+// A cosine of 1 - u is stored to 1e-16, so an angle read from it is certain to 1e-16 / sin(theta): 2e-8 at worst.
+TEST(AxisKinds, CoordinateAndCosThetaAreInverse) {
+    for (const AxisKind& kind : axis_kinds()) {
+        SCOPED_TRACE(kind.name);
+        for (int i = 0; i <= 10000; ++i) {
+            const double coordinate = i / 10000.0;
+            const double cos_theta = kind.cos_theta(coordinate);
+            const double sin_theta = std::sqrt((1.0 - cos_theta) * (1.0 + cos_theta));
+            const double tolerance = 1e-15 + 2e-16 / std::fmax(sin_theta, 1e-8);
+            ASSERT_NEAR(kind.coordinate(cos_theta), coordinate, tolerance);
+        }
+    }
+}
+
+// Same angle by both members, to the rounding of one sine or square root.
+TEST(AxisKinds, IncidenceHasTheCosineOfTheSameCoordinate) {
+    for (const AxisKind& kind : axis_kinds()) {
+        SCOPED_TRACE(kind.name);
+        for (int i = 0; i <= 1000; ++i) {
+            const double coordinate = i / 1000.0;
+            ASSERT_NEAR(kind.incidence(coordinate).cos_theta, kind.cos_theta(coordinate), 3e-16);
+        }
+    }
+}
+
+TEST(AxisKinds, ThetaIsTheAngleOfIncidenceOver90Degrees) {
+    const AxisKind& theta_deg = axis_kinds()[2];
+    ASSERT_EQ(theta_deg.name, "theta_deg");
+    for (const double cos_theta : {0.0, 1e-12, 0.1, 0.5, 0.9, 1.0 - 1e-12, 1.0}) {
+        EXPECT_NEAR(theta_deg.coordinate(cos_theta), Incidence::from_cos(cos_theta).theta_deg / 90.0, 1e-15);
+    }
+    EXPECT_NEAR(theta_deg.cos_theta(60.0 / 90.0), 0.5, 1e-15);
+}
+
+TEST(Texels, TheFirstAndLastTexelAreTheEndsOfTheAxis) {
+    EXPECT_EQ(coordinate_of_texel(0, 256), 0.0);
+    EXPECT_EQ(coordinate_of_texel(255, 256), 1.0);
+    EXPECT_EQ(coordinate_of_texel(0, 1), 0.0);
+}
+
+// OpenGL 4.5 specification, section 8.14: a linear filter returns texel i alone at u = (i + 0.5) / size.
+TEST(Texels, ACoordinateOfATexelIsFetchedAtThatTexelsCentre) {
+    for (const int size : {1, 2, 3, 64, 256}) {
+        for (int texel = 0; texel < size; ++texel) {
+            EXPECT_NEAR(texcoord_of(coordinate_of_texel(texel, size), size), (texel + 0.5) / size, 1e-15);
+        }
+    }
+}
+
+}  // namespace
+}  // namespace nacre

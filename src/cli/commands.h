@@ -25,5 +25,6 @@ Command add_swatch_command(CLI::App& app);
 Command add_spectrum_command(CLI::App& app);
 Command add_verify_command(CLI::App& app);
 Command add_snippet_command(CLI::App& app);
+Command add_figures_command(CLI::App& app);
 
 }  // namespace nacre

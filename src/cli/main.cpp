@@ -45,6 +45,7 @@ int run(int argc, char** argv) {
     add("spectrum", "reflectance spectra, or XYZ, as CSV with 17 digits", nacre::add_spectrum_command);
     add("verify", "derive LUTs again from their headers and compare", nacre::add_verify_command);
     add("snippet", "the shader code that fetches from a LUT", nacre::add_snippet_command);
+    add("figures", "the figures of Park & Tsuruno 2014: data, gnuplot scripts and plots", nacre::add_figures_command);
 
     try {
         app.parse(argc, argv);

@@ -23,6 +23,11 @@ constexpr std::array required_attributes{"version",          "scene",           
                                          "rangeNm",          "integration",     "colourSpace", "colourConfig",
                                          "colourConfigHash", "colourTransform", "gamut",       "format"};
 
+// As scenes write it, less the quotes: `sqrt_cos_theta`, `{ parameter = "width_nm", from = 20, to = 200 }`.
+std::string axis_text(const Axis& axis) {
+    return axis.is_angle() ? std::string(axis.kind->name) : axis_toml(axis);
+}
+
 std::string integration_text(const LightSettings& light) {
     return light.wavelengths ? std::to_string(*light.wavelengths) + " wavelengths" : "exact";
 }
@@ -54,8 +59,8 @@ LutHeader make_header(const PlannedLut& lut, const ColourSettings& colour, const
     add("lut", lut.name);
     add("material", job.material.name);
     add("mechanism", std::string(mechanism_name(job.material.mechanism)));
-    add("axisX", axis_toml(job.x));
-    if (job.y) add("axisY", axis_toml(*job.y));
+    add("axisX", axis_text(job.x));
+    if (job.y) add("axisY", axis_text(*job.y));
     add("size", std::to_string(job.width) + " x " + std::to_string(job.height));
     add("format", std::string(name_of(format_words, lut.format)));
     add("sampling",

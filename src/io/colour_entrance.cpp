@@ -200,7 +200,8 @@ void check_neutral(const OpenedConfig& opened, const Entrance& entrance, const C
     for (int i = static_cast<int>(first_neutral_probe); i < probes.width(); ++i) {
         const Rgb& grey = probes.at(i, 0);
         const auto [low, high] = std::minmax({grey.r, grey.g, grey.b});
-        if (high - low <= neutral_tolerance) continue;
+        // Relative for spaces in which white is not 1: OpenColorIO computes in float.
+        if (high - low <= neutral_tolerance * std::max(1.0, std::abs(high))) continue;
         const std::string what = "D65 white becomes " + numbers(probes.at(static_cast<int>(first_neutral_probe), 0)) +
                                  " in " + in_quotes(space);
         // The entrance is beyond doubt once a well-known space behind it is right: then it is the target.

@@ -15,8 +15,15 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::array<std::string_view, 8> font_files{
-    "DejaVuSans.ttf", "LiberationSans-Regular.ttf", "NotoSans-Regular.ttf", "Arial Unicode.ttf",
-    "Arial.ttf",      "arial.ttf",                  "segoeui.ttf",          "Helvetica.ttc"};
+    "DejaVuSans.ttf",
+    "LiberationSans-Regular.ttf",
+    "NotoSans-Regular.ttf",
+    "Arial Unicode.ttf",
+    "Arial.ttf",
+    "arial.ttf",
+    "segoeui.ttf",
+    "Helvetica.ttc",
+};
 
 // Folders that cannot be read hold no fonts for us; links to folders are not followed, because they may run in circles.
 template <typename Visit>
@@ -34,9 +41,11 @@ void for_each_file(const fs::path& folder, const Visit& visit) {
 
 std::vector<fs::path> usual_font_folders() {
     std::vector<fs::path> folders{"/usr/share/fonts", "/usr/local/share/fonts", "/opt/local/share/fonts",
-                                  "/Library/Fonts", "/System/Library/Fonts", "C:/Windows/Fonts"};
+                                  "/Library/Fonts",   "/System/Library/Fonts",  "C:/Windows/Fonts"};
     if (const char* home = std::getenv("HOME"); home != nullptr && *home != '\0') {
-        for (const char* below : {".fonts", ".local/share/fonts", "Library/Fonts"}) folders.push_back(fs::path(home) / below);
+        for (const char* below : {".fonts", ".local/share/fonts", "Library/Fonts"}) {
+            folders.push_back(fs::path(home) / below);
+        }
     }
     return folders;
 }
@@ -56,8 +65,9 @@ fs::path find_font(std::span<const fs::path> folders) {
         });
     }
     if (found.empty()) {
-        throw IoError("swatches need a font and none was found; install the Debian package fonts-dejavu-core "
-                      "(DejaVuSans.ttf), or Liberation Sans or Noto Sans");
+        throw IoError(
+            "swatches need a font and none was found; install the Debian package fonts-dejavu-core "
+            "(DejaVuSans.ttf), or Liberation Sans or Noto Sans");
     }
     return found;
 }

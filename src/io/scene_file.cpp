@@ -1,10 +1,11 @@
 #include "io/scene_file.h"
 
 #include <toml++/toml.h>
-#include <cmath>
+#include <algorithm>
 #include <filesystem>
 #include <sstream>
 #include <utility>
+#include <vector>
 
 #include "io/curve_csv.h"
 #include "io/text_file.h"
@@ -29,14 +30,20 @@ public:
     explicit Converter(const std::string& file) : file_(file) {}
 
     void fill(Table& table, const toml::table& source, int depth) const {
-        for (const auto& [key, node] : source) {
-            const std::string name(key.str());
+        // toml++ sorts keys by name; files, summaries and messages follow the order in which the user wrote them.
+        std::vector<std::pair<const toml::key*, const toml::node*>> entries;
+        for (auto&& [key, node] : source) entries.emplace_back(&key, &node);
+        std::stable_sort(entries.begin(), entries.end(), [](const auto& a, const auto& b) {
+            const auto& left = a.first->source().begin;
+            const auto& right = b.first->source().begin;
+            return std::pair(left.line, left.column) < std::pair(right.line, right.column);
+        });
+        for (const auto& [key, node] : entries) {
+            const std::string name(key->str());
             // Messages name the nearest heading; line and column do the rest for inline tables and arrays.
-            const bool has_heading = node.is_table() && !node.as_table()->is_inline();
-            const std::string path = !has_heading           ? table.path()
-                                     : table.path().empty() ? name
-                                                            : table.path() + "." + name;
-            table.add(name, where_of(key.source(), file_), convert(node, path, depth + 1));
+            const bool has_heading = node->is_table() && !node->as_table()->is_inline();
+            const std::string path = !has_heading ? table.path() : table.path().empty() ? name : table.path() + "." + name;
+            table.add(name, where_of(key->source(), file_), convert(*node, path, depth + 1));
         }
     }
 

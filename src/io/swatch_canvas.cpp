@@ -56,7 +56,9 @@ void fit_to_width(std::string& text, int& size_px, double max_width_px, const Te
     // No letter is so narrow that more would fit: spares the search the user's novel.
     constexpr std::size_t longest = 300;
     if (text.size() > longest) text.resize(longest);
-    const auto is_too_wide = [&](const std::string& candidate) { return face.width_px(candidate, size_px) > max_width_px; };
+    const auto is_too_wide = [&](const std::string& candidate) {
+        return face.width_px(candidate, size_px) > max_width_px;
+    };
     const int smallest_px = 2 * size_px / 3;
     while (size_px > smallest_px && is_too_wide(text)) --size_px;
     if (!is_too_wide(text)) return;
@@ -86,9 +88,12 @@ Image<float> widened(const Image<float>& image, int reach) {
 
 double start_of(const Text& text, double width_px) {
     switch (text.align) {
-        case Align::left: return text.baseline.x;
-        case Align::centre: return text.baseline.x - 0.5 * width_px;
-        case Align::right: return text.baseline.x - width_px;
+        case Align::left:
+            return text.baseline.x;
+        case Align::centre:
+            return text.baseline.x - 0.5 * width_px;
+        case Align::right:
+            return text.baseline.x - width_px;
     }
     return text.baseline.x;
 }
@@ -125,8 +130,10 @@ void Canvas::draw(const Polyline& line) {
     for (std::size_t i = 0; i + 1 < line.points.size(); ++i) {
         const Point a = line.points[i];
         const Point b = line.points[i + 1];
-        const PixelRange rows = pixels_between(std::min(a.y, b.y) - reach, std::max(a.y, b.y) + reach, pixels_.height());
-        const PixelRange columns = pixels_between(std::min(a.x, b.x) - reach, std::max(a.x, b.x) + reach, pixels_.width());
+        const PixelRange rows =
+            pixels_between(std::min(a.y, b.y) - reach, std::max(a.y, b.y) + reach, pixels_.height());
+        const PixelRange columns =
+            pixels_between(std::min(a.x, b.x) - reach, std::max(a.x, b.x) + reach, pixels_.width());
         for (int y = rows.begin; y < rows.end; ++y) {
             for (int x = columns.begin; x < columns.end; ++x) {
                 const double here = std::clamp(reach - distance_to_segment({x + 0.5, y + 0.5}, a, b), 0.0, 1.0);

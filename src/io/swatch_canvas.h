@@ -10,8 +10,8 @@ namespace nacre {
 
 /// Display-referred pixels that shapes are laid over.
 ///
-/// Everything is drawn by the fraction of each pixel that it covers. OpenImageIO's render_line and render_box know whole
-/// pixels only, and its render_text no degree sign (see TextFace).
+/// Everything is drawn by the fraction of each pixel that it covers. OpenImageIO's render_line and render_box know
+/// whole pixels only, and its render_text no degree sign (see TextFace).
 class Canvas {
 public:
     /// @throws IoError if the font cannot be used

@@ -18,7 +18,9 @@ namespace nacre {
 namespace {
 
 std::vector<std::uint8_t> eight_bits(const Image<Rgb>& image) {
-    const auto rounded = [](double value) { return static_cast<std::uint8_t>(std::lround(255.0 * std::clamp(value, 0.0, 1.0))); };
+    const auto rounded = [](double value) {
+        return static_cast<std::uint8_t>(std::lround(255.0 * std::clamp(value, 0.0, 1.0)));
+    };
     std::vector<std::uint8_t> bytes;
     bytes.reserve(3 * image.size());
     for (const Rgb& pixel : image) {

@@ -17,7 +17,8 @@ using DisplayTransform = std::function<Image<Rgb>(const Image<Xyz>&)>;
 /// How a picture becomes a file.
 struct PngSettings {
     std::filesystem::path font;  ///< a font file, see find_font()
-    /// Whether the transform leads to sRGB: the file says so, and colours that sRGB lacks are fitted, see fit_to_srgb().
+    /// Whether the transform leads to sRGB: the file says so, and colours that sRGB lacks are fitted, see
+    /// fit_to_srgb().
     bool is_srgb = true;
 };
 

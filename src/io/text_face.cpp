@@ -37,7 +37,7 @@ std::vector<char32_t> code_points(std::string_view utf8) {
     while (i < utf8.size()) {
         const auto first = static_cast<unsigned char>(utf8[i++]);
         const int following = following_bytes(first);
-        char32_t letter = following == 0 ? first : first & (0x3Fu >> following);
+        char32_t letter = following <= 0 ? first : first & (0x3Fu >> following);
         int seen = 0;
         std::size_t next = i;
         for (; seen < following && next < utf8.size() && (utf8[next] & 0xC0) == 0x80; ++seen, ++next) {
@@ -56,8 +56,9 @@ struct TextFace::Glyphs {
         if (FT_Init_FreeType(&library) != 0) throw IoError("FreeType does not start; swatches need it for their text");
         if (FT_New_Face(library, file.c_str(), 0, &face) != 0) {
             FT_Done_FreeType(library);
-            throw IoError(file + ": not a font that FreeType can read; install the Debian package fonts-dejavu-core "
-                                 "(DejaVuSans.ttf)");
+            throw IoError(file +
+                          ": not a font that FreeType can read; install the Debian package fonts-dejavu-core "
+                          "(DejaVuSans.ttf)");
         }
     }
     ~Glyphs() {

@@ -133,7 +133,7 @@ private:
         }
         for (const Table::Entry& entry : materials->entries()) {
             const Table& table = materials->checked_table(entry.key, entry.value);
-            check_name(entry.key, table, entry.key_where);
+            check_name(entry.key, *materials, entry.key_where);
             Material material{entry.key, read_mechanism(table), entry.key_where};
             table.expect_all_read();
             material_index_.emplace(entry.key, plan_.materials.size());
@@ -172,7 +172,7 @@ private:
         }
         for (const Table::Entry& entry : luts->entries()) {
             const Table& table = luts->checked_table(entry.key, entry.value);
-            check_name(entry.key, table, entry.key_where);
+            check_name(entry.key, *luts, entry.key_where);
             plan_.luts.push_back(read_lut(table, entry));
         }
     }
@@ -237,7 +237,7 @@ private:
         if (swatches == nullptr) return;
         for (const Table::Entry& entry : swatches->entries()) {
             const Table& table = swatches->checked_table(entry.key, entry.value);
-            check_name(entry.key, table, entry.key_where);
+            check_name(entry.key, *swatches, entry.key_where);
             plan_.swatches.push_back(read_swatch(table, entry));
         }
     }

@@ -63,9 +63,9 @@ constexpr std::string_view head = R"(// SPDX-License-Identifier: Apache-2.0
 // Sampler: linear filter, clamp to edge, no mip-maps, no sRGB decoding.
 // {declare}
 //
-// Half-vector form, for a light with a direction (point, spot, sun); multiply by that light:
-//     nacre_fetch({lut}, nacre_{default}(dot(N, normalize(L + V))))
-// N.V form, for what a mirror shows (environment map, probe, traced ray), where light comes from the mirror direction:
+// Half-vector form, for a light with a direction (point, spot, sun): the angle on the facet that mirrors L into V.
+//     nacre_fetch({lut}, nacre_{default}(dot(V, normalize(L + V))))
+// N.V form, for light from the mirror direction (environment map, probe, traced ray), and for a look without lights:
 //     nacre_fetch({lut}, nacre_{default}(dot(N, V)))
 
 // Where v = 0 is in the LUT. 0: the file's first row (Direct3D, Unreal, Godot, glTexImage2D of the file's rows);

@@ -46,7 +46,9 @@ std::vector<ClampedRange> clamped_ranges(const Material& material) {
     if (palette == nullptr) return ranges;
     const auto add = [&](double bound_deg, double end_deg) {
         const Lobe lobe = palette_lobe_unclamped(*palette, Incidence::from_degrees(bound_deg));
-        const std::string what = lobe.height > 1.0 ? "height reaches 1" : lobe.height < 0.0 ? "height reaches 0" : "width reaches 0";
+        const std::string what = lobe.height > 1.0   ? "height reaches 1"
+                                 : lobe.height < 0.0 ? "height reaches 0"
+                                                     : "width reaches 0";
         ranges.push_back({bound_deg, end_deg, what + " at " + rounded_text(bound_deg) + "°"});
     };
     const ClampBounds bounds = palette_clamp_bounds(*palette);
@@ -81,7 +83,8 @@ void draw_plane_clamps(Swatch& swatch, const Palette& palette, const Job& job, c
     for (const ClampedRange& range : clamped_ranges(job.material)) {
         const double y = std::floor(area.at(0.0, axis_coordinate(*job.y, range.from_deg)).y);
         for (double x = area.left; x < area.left + area.width; x += 2.0 * dash_px) {
-            swatch.overlays.push_back(Rectangle{{x, y, std::min(x + dash_px, area.box().right), y + 1.0}, {}, {1.0, 0.45}});
+            swatch.overlays.push_back(
+                Rectangle{{x, y, std::min(x + dash_px, area.box().right), y + 1.0}, {}, {1.0, 0.45}});
         }
         // On the side on which the curve is not, in the clamped part if that is high enough.
         const double peak_nm = palette_lobe(palette, Incidence::from_degrees(range.from_deg)).peak_nm;
@@ -90,7 +93,8 @@ void draw_plane_clamps(Swatch& swatch, const Palette& palette, const Job& job, c
         const double room = is_upper ? y - area.top : area.box().bottom - y;
         const bool above = is_upper == (room > 40.0);
         const Point end{at_right ? area.box().right - 14.0 : area.left + 14.0, above ? y - 10.0 : y + 25.0};
-        swatch.overlays.push_back(Text{range.caption, end, note_px, at_right ? Align::right : Align::left, text_grey, 0.0, true});
+        swatch.overlays.push_back(
+            Text{range.caption, end, note_px, at_right ? Align::right : Align::left, text_grey, 0.0, true});
     }
 }
 
@@ -104,8 +108,13 @@ void draw_plane_picks(Swatch& swatch, const Palette& palette, const Job& job, co
         if (palette.picks.size() > most_captions) continue;
         const bool at_right = x < 0.7;
         const double baseline = std::clamp(centre.y + 7.0, area.top + 28.0, area.box().bottom - 12.0);
-        swatch.overlays.push_back(Text{pick_caption(pick), {centre.x + (at_right ? 22.0 : -22.0), baseline}, note_px,
-                                       at_right ? Align::left : Align::right, 1.0, 0.0, true});
+        swatch.overlays.push_back(Text{pick_caption(pick),
+                                       {centre.x + (at_right ? 22.0 : -22.0), baseline},
+                                       note_px,
+                                       at_right ? Align::left : Align::right,
+                                       1.0,
+                                       0.0,
+                                       true});
     }
 }
 
@@ -148,18 +157,22 @@ Swatch draw_palette(const PlannedSwatch& planned) {
     for (std::size_t i = 0; i < shown; ++i) {
         const int column = static_cast<int>(i) % columns;
         const int row = static_cast<int>(i) / columns;
-        const PlotArea area{margin + column * (side + gap), top + above_panel + row * (above_panel + side + below_plot - 10), side, side};
+        const PlotArea area{margin + column * (side + gap),
+                            top + above_panel + row * (above_panel + side + below_plot - 10), side, side};
         const Job& job = planned.jobs[i];
-        const Pick& pick = std::get<Palette>(job.material.mechanism).picks[planned.picks[i]];
+        const Pick& pick = std::get<Palette>(job.material.mechanism).picks.front();
         swatch.panels.push_back(bake_panel(job, area));
         draw_frame(swatch, area);
         draw_x_axis(swatch, area, job.x, "width (nm)");
         draw_y_axis(swatch, area, *job.y, "height");
-        swatch.overlays.push_back(Text{pick_caption(pick), {area.box().right, area.top - 22.0}, label_px, Align::right, text_grey, 0.6 * side});
-        draw_pick(swatch, area.at(axis_coordinate(job.x, pick.lobe.width_nm), axis_coordinate(*job.y, pick.lobe.height)));
+        swatch.overlays.push_back(Text{
+            pick_caption(pick), {area.box().right, area.top - 22.0}, label_px, Align::right, text_grey, 0.6 * side});
+        draw_pick(swatch,
+                  area.at(axis_coordinate(job.x, pick.lobe.width_nm), axis_coordinate(*job.y, pick.lobe.height)));
     }
     if (shown < planned.jobs.size()) {
-        const std::string note = "the first " + std::to_string(shown) + " of " + std::to_string(planned.jobs.size()) + " picks";
+        const std::string note =
+            "the first " + std::to_string(shown) + " of " + std::to_string(planned.jobs.size()) + " picks";
         swatch.overlays.push_back(Text{note, {width - 50.0, swatch.height - 18.0}, note_px, Align::right, dim_grey});
     }
     return swatch;
@@ -174,9 +187,11 @@ void draw_strip_clamps(Swatch& swatch, const Job& job, const PlotArea& area) {
         const double bound = std::floor(area.at(axis_coordinate(job.x, range.from_deg), 0.0).x);
         const bool ends_left = axis_coordinate(job.x, range.to_deg) < 0.5;
         const double end = ends_left ? area.left : area.box().right;
-        swatch.overlays.push_back(Rectangle{{std::min(bound, end), y, std::max(bound + 1.0, end), y + 1.0}, {}, {dim_grey}});
+        swatch.overlays.push_back(
+            Rectangle{{std::min(bound, end), y, std::max(bound + 1.0, end), y + 1.0}, {}, {dim_grey}});
         swatch.overlays.push_back(Rectangle{{bound, y, bound + 1.0, area.top - 1.0}, {}, {dim_grey}});
-        swatch.overlays.push_back(Text{range.caption, {end, y - 10.0}, note_px, ends_left ? Align::left : Align::right, dim_grey});
+        swatch.overlays.push_back(
+            Text{range.caption, {end, y - 10.0}, note_px, ends_left ? Align::left : Align::right, dim_grey});
     }
 }
 
@@ -220,7 +235,11 @@ Swatch draw_sphere(const PlannedSwatch& planned) {
     Swatch swatch = blank(sphere_side, sphere_side);
     swatch.panels.push_back({0, 0, draw_ball(table, exposure, ball, sphere_side, sphere_side)});
     draw_title(swatch, planned.title, job, 46, sphere_side - 46);
-    swatch.overlays.push_back(Text{"exposure ×" + rounded_text(exposure, 2), {sphere_side - 46.0, sphere_side - 40.0}, note_px, Align::right, dim_grey});
+    swatch.overlays.push_back(Text{"exposure ×" + rounded_text(exposure, 2),
+                                   {sphere_side - 46.0, sphere_side - 40.0},
+                                   note_px,
+                                   Align::right,
+                                   dim_grey});
     return swatch;
 }
 
@@ -244,11 +263,12 @@ std::vector<Job> swatch_jobs(SwatchKind kind, const Material& material, const st
             for (const Pick& pick : picks) widest_nm = std::max(widest_nm, 1.25 * pick.lobe.width_nm);
             widest_nm = std::min(round_nm * std::ceil(widest_nm / round_nm), 1000.0);
             std::vector<Job> jobs;
-            for (std::size_t i = 0; i < picks.size(); ++i) {
-                const std::string prefix = "picks[" + std::to_string(i) + "].";
-                job.x = parameter_axis(material.mechanism, prefix + "width_nm", 0.0, widest_nm);
-                job.y = parameter_axis(material.mechanism, prefix + "height", 0.0, 1.0);
-                job.angle_deg = picks[i].angle_deg;
+            for (const Pick& pick : picks) {
+                // At its own angle a pick is alone, so that its panel costs the same whatever else was picked.
+                job.material.mechanism = Palette{{pick}};
+                job.x = parameter_axis(job.material.mechanism, "width_nm", 0.0, widest_nm);
+                job.y = parameter_axis(job.material.mechanism, "height", 0.0, 1.0);
+                job.angle_deg = pick.angle_deg;
                 job.width = job.height = 475;
                 jobs.push_back(job);
             }
@@ -264,10 +284,14 @@ std::vector<Job> swatch_jobs(SwatchKind kind, const Material& material, const st
 
 Swatch draw_swatch(const PlannedSwatch& swatch) {
     switch (swatch.kind) {
-        case SwatchKind::plane: return draw_plane(swatch);
-        case SwatchKind::palette: return draw_palette(swatch);
-        case SwatchKind::strip: return draw_strip(swatch);
-        case SwatchKind::sphere: return draw_sphere(swatch);
+        case SwatchKind::plane:
+            return draw_plane(swatch);
+        case SwatchKind::palette:
+            return draw_palette(swatch);
+        case SwatchKind::strip:
+            return draw_strip(swatch);
+        case SwatchKind::sphere:
+            return draw_sphere(swatch);
     }
     return {};
 }

@@ -12,14 +12,14 @@ namespace nacre {
 /// The images that a swatch of a material is made of: a swatch is a bake, not a second renderer.
 ///
 /// plane: peak wavelength (x) against angle (y). palette: width (x) against height (y), one job per pick, at the pick's
-/// angle. strip and sphere: the default LUT, finely sampled.
+/// angle and with that pick as its material's only one. strip and sphere: the default LUT, finely sampled.
 std::vector<Job> swatch_jobs(SwatchKind kind, const Material& material, const std::shared_ptr<const Light>& light);
 
 /// Lays the picture out and bakes what it shows, at the picture's own resolution: the sizes of the jobs do not matter.
 ///
 /// Angles, widths and heights grow upwards and to the right, but a LUT's angle runs as its axis does. A palette of more
 /// than `most_palette_panels` picks shows the first of them, and says so.
-/// @pre swatch.jobs is not empty; palette: swatch.picks has as many entries
+/// @pre swatch.jobs is not empty, and for plane and palette they are those of swatch_jobs()
 Swatch draw_swatch(const PlannedSwatch& swatch);
 
 inline constexpr std::size_t most_palette_panels = 12;

@@ -177,7 +177,10 @@ void draw_title(Swatch& swatch, const std::string& title, const Job& job, int le
     const std::string observer = light.observer == Observer::cie1931_2deg ? "CIE 1931 2°" : "CIE 1964 10°";
     swatch.overlays.push_back(Text{light.illuminant + ", " + observer,
                                    {static_cast<double>(right), title_baseline},
-                                   note_px, Align::right, dim_grey, 0.35 * width});
+                                   note_px,
+                                   Align::right,
+                                   dim_grey,
+                                   0.35 * width});
 }
 
 }  // namespace nacre

@@ -7,17 +7,17 @@ namespace nacre {
 
 /// A ball in front of a dark wall, seen from far away along -z; y points up, x right.
 ///
-/// With n the normal, v the direction of the eye, l that of a large soft light, h the half vector of v and l, and C(cos)
-/// the colour that the material has at that angle:
+/// With n the normal, v the direction of the eye, l that of a large soft light, h the half vector of v and l, and
+/// C(cos) the colour that the material has at that angle:
 ///
 ///     XYZ = exposure * ( light * f(n.l)^2 * C(n.h)  +  surround * (1 + n.up) / 2 * C(n.v) )  +  coat
 ///     f(c) = max(c + wrap, 0) / (1 + wrap)
 ///     coat = fresnel(n.v) * 0.18 * (1 + n.up) / 2, white
 ///
 /// The first term is the form in which a shader uses the LUT for one light (the paper's figures 15 and 16), with a soft
-/// edge of the shade. The second is a sky that each point mirrors at its own angle, so that the colours go on to the rim
-/// and into the shade. The third, a faint gloss of the same sky, keeps a ball round whose material is black at grazing
-/// angles; it does not take part in the exposure.
+/// edge of the shade. The second is a sky that each point mirrors at its own angle, so that the colours go on to the
+/// rim and into the shade. The third, a faint gloss of the same sky, keeps a ball round whose material is black at
+/// grazing angles; it does not take part in the exposure.
 struct Ball {
     double centre_x = 0.0;  ///< pixels
     double centre_y = 0.0;
@@ -40,7 +40,8 @@ Xyz sphere_shade(const Image<Xyz>& table, double x, double y);
 /// The gloss: neutral, the same for all materials.
 Xyz sphere_coat(double x, double y);
 
-/// The factor that makes the brightest component of the ball, in linear Rec.709, `sphere_brightest`; 1 for a black ball.
+/// The factor that makes the brightest component of the ball, in linear Rec.709, `sphere_brightest`; 1 for a black
+/// ball.
 double sphere_exposure(const Image<Xyz>& table);
 inline constexpr double sphere_brightest = 0.92;
 

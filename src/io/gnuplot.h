@@ -1,0 +1,28 @@
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+namespace nacre {
+
+/// Contents by file name.
+using NamedFiles = std::map<std::string, std::string>;
+
+/// What gnuplot made of a script.
+struct GnuplotResult {
+    NamedFiles files;      ///< the pictures that were asked for
+    std::string warnings;  ///< one line; empty if it said nothing
+};
+
+/// Runs `gnuplot SCRIPT` in a private temporary folder that holds `inputs`, and reads `outputs` (PNG) back.
+///
+/// No shell, no settings of the user's (~/.gnuplot), neither his locale; the folder is removed whatever happens. May be
+/// called from several threads.
+/// @param inputs   the script and everything that it reads, by plain file names
+/// @param script   one of the inputs
+/// @param outputs  files that the script writes
+/// @throws IoError in one line if gnuplot is missing, fails (with what it said), or leaves an output unwritten
+GnuplotResult run_gnuplot(const NamedFiles& inputs, const std::string& script, const std::vector<std::string>& outputs);
+
+}  // namespace nacre

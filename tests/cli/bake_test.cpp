@@ -1,0 +1,198 @@
+// What `nacre bake` leaves behind when all goes well.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "io/lut_file.h"
+#include "support/program.h"
+
+namespace nacre::test {
+namespace {
+
+constexpr const char* two_picks =
+    "[material.morpho]\n"
+    "picks = [ { angle_deg = 0,  peak_nm = 460, width_nm = 70, height = 1.0 },\n"
+    "          { angle_deg = 40, peak_nm = 395, width_nm = 60, height = 0.7 } ]\n";
+
+ProgramResult bake(const TemporaryFolder& folder, std::vector<std::string> more) {
+    std::vector<std::string> arguments{"bake", "s.toml", "-o", "out"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return run_nacre(arguments, {folder.path(), {}, {}, {}});
+}
+
+TEST(Bake, SmallestSceneGivesOneTextureAndItsManifest) {
+    const TemporaryFolder folder;
+    folder.file("s.toml", two_picks);
+    const ProgramResult result = bake(folder, {});
+    ASSERT_EQ(result.exit_code, 0) << result.err;
+    const StoredLut lut = read_lut((folder.path() / "out/morpho.exr").string());
+    EXPECT_EQ(lut.image.width(), 256);
+    EXPECT_EQ(lut.image.height(), 1);
+    EXPECT_EQ(lut.format, PixelFormat::half_float);
+    EXPECT_EQ(lut.header.interop_id, "lin_rec709_scene");
+    const auto manifest = nlohmann::json::parse(file_bytes(folder.path() / "out/morpho.json"));
+    EXPECT_EQ(manifest["width"], 256);
+    EXPECT_EQ(manifest["x"]["axis"], "sqrt_cos_theta");
+    EXPECT_EQ(manifest["scene"], lut.header.value("scene"));
+    EXPECT_EQ(result.out.find("morpho.exr  256 x 1 half  lin_rec709"), 0u) << result.out;
+}
+
+TEST(Bake, BytesDoNotDependOnThreadsShardsOrTheFolder) {
+    const TemporaryFolder one;
+    const TemporaryFolder two;
+    const std::string scene = std::string(two_picks) +
+                              "[lut.a]\n[lut.b]\ny = { parameter = \"width_nm\", from = 10, to = 200 }\nsize = [64, 16]\n"
+                              "[lut.c]\nx = \"theta_deg\"\nformat = \"float\"\n";
+    one.file("s.toml", scene);
+    two.file("s.toml", scene);
+    ASSERT_EQ(bake(one, {"--threads", "1"}).exit_code, 0);
+    ASSERT_EQ(bake(two, {"--threads", "4", "--shard", "1/2"}).exit_code, 0);
+    EXPECT_FALSE(std::filesystem::exists(two.path() / "out/b.exr"));
+    ASSERT_EQ(bake(two, {"--threads", "4", "--shard", "2/2"}).exit_code, 0);
+    for (const char* name : {"a.exr", "a.json", "b.exr", "b.json", "c.exr", "c.json"}) {
+        const std::string bytes = file_bytes(one.path() / "out" / name);
+        EXPECT_FALSE(bytes.empty()) << name;
+        EXPECT_EQ(bytes, file_bytes(two.path() / "out" / name)) << name;
+        EXPECT_EQ(bytes.find(one.path().string()), std::string::npos) << "no path may be in it";
+    }
+}
+
+TEST(Bake, WhatIsUpToDateIsNotWrittenAgainUnlessForced) {
+    const TemporaryFolder folder;
+    folder.file("s.toml", two_picks);
+    ASSERT_EQ(bake(folder, {}).exit_code, 0);
+    const auto file = folder.path() / "out/morpho.exr";
+    const auto before = std::filesystem::last_write_time(file);
+    EXPECT_NE(bake(folder, {}).out.find("(unchanged)"), std::string::npos);
+    EXPECT_EQ(std::filesystem::last_write_time(file), before);
+    EXPECT_EQ(bake(folder, {"--force"}).out.find("(unchanged)"), std::string::npos);
+    EXPECT_NE(std::filesystem::last_write_time(file), before);
+    std::ofstream(file) << "damaged";
+    ASSERT_EQ(bake(folder, {}).exit_code, 0);
+    EXPECT_GT(file_bytes(file).size(), 1000u) << "a damaged file is replaced";
+}
+
+TEST(Bake, DryRunNamesTheFilesAndWritesNone) {
+    const TemporaryFolder folder;
+    folder.file("s.toml", two_picks);
+    const ProgramResult result = bake(folder, {"--dry-run"});
+    EXPECT_EQ(result.exit_code, 0);
+    EXPECT_EQ(result.out, "would write morpho.exr, morpho.json  256 x 1\n");
+    EXPECT_EQ(folder.names(), std::vector<std::string>{"s.toml"});
+}
+
+TEST(Bake, OnlyAndOutputsSelectWhatIsWritten) {
+    const TemporaryFolder folder;
+    folder.file("s.toml", std::string(two_picks) + "[lut.a]\noutputs = [\"exr\"]\n[lut.b]\noutputs = [\"json\", \"png\"]\n");
+    ASSERT_EQ(bake(folder, {"--only", "a"}).exit_code, 0);
+    EXPECT_TRUE(std::filesystem::exists(folder.path() / "out/a.exr"));
+    EXPECT_FALSE(std::filesystem::exists(folder.path() / "out/a.json"));
+    EXPECT_FALSE(std::filesystem::exists(folder.path() / "out/b.json"));
+    ASSERT_EQ(bake(folder, {}).exit_code, 0);
+    EXPECT_TRUE(std::filesystem::exists(folder.path() / "out/b.png"));
+    EXPECT_FALSE(std::filesystem::exists(folder.path() / "out/b.exr"));
+}
+
+TEST(Bake, IncludesMergeAndJsonIsOneDocument) {
+    const TemporaryFolder folder;
+    folder.file("parts/morpho.toml", two_picks);
+    folder.file("s.toml", "include = [\"parts/morpho.toml\"]\n[lut.wide]\nmaterial = \"morpho\"\n");
+    const ProgramResult result = bake(folder, {"--json"});
+    ASSERT_EQ(result.exit_code, 0) << result.err;
+    const auto json = nlohmann::json::parse(result.out);
+    ASSERT_EQ(json["luts"].size(), 1u);
+    EXPECT_EQ(json["luts"][0]["file"], "wide.exr");
+    EXPECT_TRUE(json["failures"].empty());
+}
+
+TEST(Bake, GamutRulesLeaveNoNegativeComponent) {
+    const TemporaryFolder folder;
+    for (const std::string rule : {"keep", "clip", "compress"}) {
+        folder.file("s.toml", std::string(two_picks) + "[colour]\ngamut = \"" + rule + "\"\n");
+        const ProgramResult result = bake(folder, {});
+        ASSERT_EQ(result.exit_code, 0) << result.err;
+        double smallest = 0.0;
+        for (const Rgb& texel : read_lut((folder.path() / "out/morpho.exr").string()).image) {
+            smallest = std::min({smallest, texel.r, texel.g, texel.b});
+        }
+        if (rule == "keep") {
+            EXPECT_LT(smallest, -0.01) << "blue of a Morpho lies outside Rec.709";
+            EXPECT_NE(result.err.find("negative components"), std::string::npos);
+        } else {
+            EXPECT_EQ(smallest, 0.0) << rule;
+        }
+    }
+}
+
+TEST(Bake, LutThatItsFormatCannotHoldFailsAloneAndTheOthersAreWritten) {
+    const TemporaryFolder folder;
+    // A space a million times as bright as ACES2065-1: beyond what half holds.
+    folder.file("bright.ocio",
+                "ocio_profile_version: 2\nroles:\n  aces_interchange: ap0\n  default: ap0\n  scene_linear: ap0\n"
+                "file_rules:\n  - !<Rule> {name: Default, colorspace: default}\n"
+                "displays:\n  none:\n    - !<View> {name: none, colorspace: ap0}\n"
+                "colorspaces:\n  - !<ColorSpace>\n    name: ap0\n  - !<ColorSpace>\n    name: bright\n"
+                "    from_scene_reference: !<MatrixTransform> {matrix: [1e6, 0, 0, 0, 0, 1e6, 0, 0, 0, 0, 1e6, 0, 0, 0, 0, 1]}\n");
+    folder.file("s.toml", std::string(two_picks) + "[colour]\nconfig = \"bright.ocio\"\nspace = \"bright\"\n[lut.small]\n[lut.large]\nformat = \"float\"\n");
+    const ProgramResult result = bake(folder, {});
+    EXPECT_EQ(result.exit_code, 1) << result.err;
+    EXPECT_EQ(result.err.find("nacre: s.toml:7:6 small: texel ("), 0u) << result.err;
+    EXPECT_NE(result.err.find("half holds up to 65504"), std::string::npos) << result.err;
+    EXPECT_FALSE(std::filesystem::exists(folder.path() / "out/small.exr"));
+    EXPECT_TRUE(std::filesystem::exists(folder.path() / "out/large.exr"));
+}
+
+TEST(Bake, VerifyAcceptsWhatBakeWroteAndNothingElse) {
+    const TemporaryFolder folder;
+    folder.file("lamp.csv", "wavelength_nm,power\n300,1\n500,3.7\n900,0.5\n");
+    folder.file("s.toml", std::string(two_picks) +
+                              "[light]\nilluminant = \"lamp.csv\"\nadapt = \"cat16\"\n[colour]\nspace = \"acescct_ap1\"\ngamut = \"clip\"\n"
+                              "[accuracy]\nwavelengths = 95\n"
+                              "[lut.a]\nx = \"cos_theta\"\ny = { parameter = \"picks[1].peak_nm\", from = 400.5, to = 600 }\nsize = [32, 8]\nformat = \"float\"\n");
+    ASSERT_EQ(bake(folder, {}).exit_code, 0);
+    const auto file = folder.path() / "out/a.exr";
+    ProgramResult result = run_nacre({"verify", file.string()});
+    EXPECT_EQ(result.exit_code, 0) << result.out << result.err;
+    EXPECT_NE(result.out.find("verified: header complete, 256 texels equal a re-bake"), std::string::npos) << result.out;
+
+    // One bit of one texel.
+    std::string bytes = file_bytes(file);
+    bytes[bytes.size() - 100] = static_cast<char>(bytes[bytes.size() - 100] ^ 1);
+    std::ofstream(file, std::ios::binary) << bytes;
+    result = run_nacre({"verify", file.string()});
+    EXPECT_EQ(result.exit_code, 4);
+    EXPECT_NE(result.out.find("NOT verified: 1 components differ from a re-bake"), std::string::npos) << result.out;
+
+    // Another illuminant in the header.
+    bytes = file_bytes(file);
+    const auto at = bytes.find("cie1931_2deg");
+    bytes.replace(at, 12, "cie1964_2deg");
+    std::ofstream(file, std::ios::binary) << bytes;
+    result = run_nacre({"verify", file.string()});
+    EXPECT_EQ(result.exit_code, 4);
+
+    std::ofstream(file, std::ios::binary) << "no image";
+    EXPECT_EQ(run_nacre({"verify", file.string()}).exit_code, 3);
+}
+
+TEST(Bake, ShippedLutsAreWhatTheirScenesMake) {
+    const TemporaryFolder folder;
+    const std::string root = NACRE_SOURCE_DIR;
+    const ProgramResult result = run_nacre(
+        {"bake", root + "/configs/scenes/morpho.toml", root + "/configs/scenes/beetle.toml", "-o", folder.path().string()});
+    ASSERT_EQ(result.exit_code, 0) << result.err;
+    std::size_t compared = 0;
+    for (const std::string& name : folder.names()) {
+        const auto shipped = std::filesystem::path(root) / "luts" / name;
+        ASSERT_TRUE(std::filesystem::exists(shipped)) << "luts/ lacks " << name;
+        if (shipped.extension() == ".png") continue;  // swatch_png_test compares those, letters aside
+        EXPECT_EQ(file_bytes(shipped), file_bytes(folder.path() / name)) << name << ": run ./run bake configs/scenes/*.toml -o luts";
+        ++compared;
+    }
+    EXPECT_GE(compared, 6u);
+}
+
+}  // namespace
+}  // namespace nacre::test

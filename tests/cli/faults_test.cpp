@@ -1,0 +1,144 @@
+// When the system refuses: exit code 3, one line, and no partial file.
+#include <gtest/gtest.h>
+#include <sched.h>
+#include <signal.h>
+#include <sys/mount.h>
+#include <sys/resource.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <thread>
+
+#include "support/program.h"
+
+namespace nacre::test {
+namespace {
+
+constexpr const char* scene =
+    "[material.morpho]\n"
+    "picks = [ { angle_deg = 0,  peak_nm = 460, width_nm = 70, height = 1.0 },\n"
+    "          { angle_deg = 40, peak_nm = 395, width_nm = 60, height = 0.7 } ]\n";
+
+void expect_one_line(const ProgramResult& result, int code) {
+    EXPECT_EQ(result.exit_code, code) << result.err;
+    EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << result.err;
+}
+
+TEST(Faults, FullDiskLeavesTheOldFileAndNoOther) {
+    const TemporaryFolder folder;
+    folder.file("s.toml", scene);
+    folder.file("out/morpho.exr", "the old one");
+    // A disk of one page of its own: 4 kB hold neither the texture nor half of it.
+    const auto small_disk = [&] {
+        if (::unshare(::geteuid() == 0 ? CLONE_NEWNS : CLONE_NEWUSER | CLONE_NEWNS) != 0) ::_exit(99);
+        ::mount(nullptr, "/", nullptr, MS_REC | MS_PRIVATE, nullptr);
+        const std::string out = (folder.path() / "small").string();
+        ::mkdir(out.c_str(), 0777);
+        if (::mount("none", out.c_str(), "tmpfs", 0, "size=4k") != 0) ::_exit(99);
+        // What is left on it can only be seen from in here: the program's place is taken by a shell that looks.
+        ::setenv("NACRE", NACRE_PROGRAM, 1);
+        ::execl("/bin/sh", "sh", "-c", "\"$NACRE\" bake s.toml --only morpho -o small; echo exit $? left $(ls -A small | wc -l)", nullptr);
+    };
+    const ProgramResult result = run_nacre({}, {folder.path(), {}, small_disk, {}});
+    if (result.exit_code == 99) GTEST_SKIP() << "this machine lets nobody mount; the next test covers the writer";
+    EXPECT_EQ(result.out, "exit 3 left 0\n") << result.err;
+    EXPECT_NE(result.err.find("No space left on device"), std::string::npos) << result.err;
+}
+
+TEST(Faults, WriterThatFailsHalfWayLeavesTheOldFileAndNoOther) {
+    const TemporaryFolder folder;
+    folder.file("s.toml", scene);
+    folder.file("out/morpho.exr", "the old one");
+    const auto small_files = [] {
+        const rlimit limit{1000, 1000};
+        ::setrlimit(RLIMIT_FSIZE, &limit);
+    };
+    const ProgramResult result = run_nacre({"bake", "s.toml", "-o", "out"}, {folder.path(), {}, small_files, {}});
+    expect_one_line(result, 3);
+    EXPECT_EQ(result.err, "nacre: out/morpho.exr: cannot be written: File too large\n");
+    EXPECT_EQ(file_bytes(folder.path() / "out/morpho.exr"), "the old one");
+    std::size_t files = 0;
+    for (const auto& entry : std::filesystem::directory_iterator(folder.path() / "out")) files += entry.exists() ? 1 : 0;
+    EXPECT_EQ(files, 1u);
+}
+
+TEST(Faults, ReadOnlyFolderIsRefused) {
+    const TemporaryFolder folder;
+    folder.file("s.toml", scene);
+    std::filesystem::create_directory(folder.path() / "out");
+    const auto as_nobody = [&] {
+        ::chmod((folder.path() / "out").c_str(), 0555);
+        ::chmod(folder.path().c_str(), 0755);
+        if (::geteuid() == 0 && (::setgid(65534) != 0 || ::setuid(65534) != 0)) ::_exit(99);
+    };
+    const ProgramResult result = run_nacre({"bake", "s.toml", "-o", "out"}, {folder.path(), {}, as_nobody, {}});
+    if (result.exit_code == 99 || result.exit_code == 127) GTEST_SKIP() << "the program cannot be run as somebody else here";
+    expect_one_line(result, 3);
+    EXPECT_EQ(result.err, "nacre: out/morpho.exr: cannot be written: Permission denied\n");
+}
+
+TEST(Faults, FolderThatCannotBeMadeIsRefused) {
+    const TemporaryFolder folder;
+    folder.file("s.toml", scene);
+    folder.file("file", "");
+    expect_one_line(run_nacre({"bake", "s.toml", "-o", "file"}, {folder.path(), {}, {}, {}}), 3);
+    expect_one_line(run_nacre({"bake", "s.toml", "-o", "file/out"}, {folder.path(), {}, {}, {}}), 3);
+}
+
+TEST(Faults, FolderInTheTargetsPlaceIsRefused) {
+    const TemporaryFolder folder;
+    folder.file("s.toml", scene);
+    folder.file("out/morpho.exr/inside", "");
+    const ProgramResult result = run_nacre({"bake", "s.toml", "-o", "out"}, {folder.path(), {}, {}, {}});
+    expect_one_line(result, 3);
+    EXPECT_EQ(result.err, "nacre: out/morpho.exr: cannot be put into place: Is a directory\n");
+}
+
+TEST(Faults, FullStandardOutputIsAnError) {
+    if (!std::filesystem::exists("/dev/full")) GTEST_SKIP() << "no /dev/full here";
+    expect_one_line(run_nacre({"snippet", "glsl"}, {{}, {}, {}, "/dev/full"}), 3);
+}
+
+TEST(Faults, TerminationLeavesWholeFilesOnly) {
+    const TemporaryFolder folder;
+    std::string many;
+    for (int i = 0; i < 4000; ++i) {
+        many += "[material.m" + std::to_string(i) +
+                "]\npicks = [ { angle_deg = 0, peak_nm = 460, width_nm = 70, height = 1.0 }, "
+                "{ angle_deg = 40, peak_nm = 395, width_nm = 60, height = 0.7 } ]\n";
+    }
+    folder.file("s.toml", many);
+    const auto stop_soon = [&] {
+        // A grandchild that waits for the first file and then asks us, its parent's parent by now the program, to end.
+        const pid_t program = ::getpid();
+        if (::fork() == 0) {
+            const auto out = folder.path() / "out";
+            for (int i = 0; i < 2000 && (!std::filesystem::exists(out) || std::filesystem::is_empty(out)); ++i) ::usleep(5000);
+            ::kill(program, SIGTERM);
+            ::_exit(0);
+        }
+    };
+    const ProgramResult result = run_nacre({"bake", "s.toml", "-o", "out"}, {folder.path(), {}, stop_soon, {}});
+    EXPECT_EQ(result.exit_code, 143) << result.err;
+    for (const auto& entry : std::filesystem::directory_iterator(folder.path() / "out")) {
+        EXPECT_NE(entry.path().filename().string().front(), '.') << "a temporary file stayed behind";
+        EXPECT_GT(entry.file_size(), 500u);
+    }
+}
+
+TEST(Faults, TwoProcessesThatBakeOneLutBothSucceed) {
+    const TemporaryFolder folder;
+    folder.file("s.toml", scene);
+    ProgramResult first;
+    std::thread other([&] { first = run_nacre({"bake", "s.toml", "-o", "out", "--force"}, {folder.path(), {}, {}, {}}); });
+    const ProgramResult second = run_nacre({"bake", "s.toml", "-o", "out", "--force"}, {folder.path(), {}, {}, {}});
+    other.join();
+    EXPECT_EQ(first.exit_code, 0) << first.err;
+    EXPECT_EQ(second.exit_code, 0) << second.err;
+    EXPECT_EQ(run_nacre({"verify", (folder.path() / "out/morpho.exr").string()}).exit_code, 0);
+}
+
+}  // namespace
+}  // namespace nacre::test

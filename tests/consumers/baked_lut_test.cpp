@@ -1,0 +1,114 @@
+// The whole road: a scene is baked to a half-float EXR, the EXR is read, a shader fetches from it with nacre's snippet on
+// a graphics pipeline, and what comes out is the core's own value at that angle.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <random>
+
+#include "consumers/shader_runner.h"
+#include "io/baked_lut.h"
+#include "io/scene_file.h"
+#include "nacre/bake/bake.h"
+#include "nacre/bake/snippet.h"
+#include "support/program.h"
+
+namespace nacre::testing {
+namespace {
+
+constexpr int count = 10000;
+// Half stores 1 to within 4.9e-4 and linear interpolation of 256 texels adds some 1e-4; the contract says 1e-3.
+constexpr double tolerance = 1e-3;
+
+struct Baked {
+    PlannedLut lut;
+    Image<Rgb> stored;
+    ColourTransform transform;
+};
+
+Baked bake_and_read(const std::string& scene) {
+    const Plan plan = plan_scene(parse_scene(scene, "test"), curve_reader());
+    const ColourConfig config = ColourConfig::open({"", "", "test"});
+    const ColourTransform transform = config.to_colour_space(plan.colour.space, "test");
+    const PlannedLut& lut = plan.luts.front();
+    const test::TemporaryFolder folder;
+    const std::string file = folder.file("lut.exr", encode_lut(bake_lut(lut, plan.colour, {}, transform).image, lut.format, {}));
+    return {lut, read_lut(file).image, transform};
+}
+
+double largest_error(const Baked& baked, const std::vector<Rgb>& fetched, const std::vector<std::array<float, 4>>& inputs,
+                     const std::function<std::array<double, 2>(const std::array<float, 4>&)>& coordinates) {
+    double largest = 0.0;
+    for (std::size_t i = 0; i < inputs.size(); ++i) {
+        const auto [x, y] = coordinates(inputs[i]);
+        const Rgb exact = baked.transform.apply(exact_xyz(baked.lut.job, x, y));
+        largest = std::max({largest, std::abs(fetched[i].r - exact.r), std::abs(fetched[i].g - exact.g), std::abs(fetched[i].b - exact.b)});
+    }
+    return largest;
+}
+
+std::vector<std::array<float, 4>> random_inputs() {
+    std::mt19937 generator(20140);
+    std::uniform_real_distribution<float> uniform(0.0f, 1.0f);
+    std::vector<std::array<float, 4>> inputs{{0, 0, 0, 0}, {1, 1, 0, 0}, {0, 1, 0, 0}, {1, 0, 0, 0}};
+    while (inputs.size() < count) inputs.push_back({uniform(generator), uniform(generator), 0, 0});
+    return inputs;
+}
+
+const std::string morpho =
+    "[material.m]\nshape = 0.26\n"
+    "picks = [ { angle_deg = 0, peak_nm = 460, width_nm = 70, height = 1.0 }, { angle_deg = 40, peak_nm = 395, width_nm = 60, height = 0.7 } ]\n";
+const std::string beetle =
+    "[material.b]\nshape = 0.91\n"
+    "picks = [ { angle_deg = 10, peak_nm = 530, width_nm = 110, height = 0.73 }, { angle_deg = 60, peak_nm = 460, width_nm = 110, height = 1.0 } ]\n";
+
+class BakedLut1D : public ::testing::TestWithParam<ShaderVariant> {};
+
+std::vector<Rgb> fetch(const Baked& baked, ShaderVariant variant, const std::string& expression, LutUse use = {}) {
+    const auto language = variant == ShaderVariant::hlsl ? ShaderLanguage::hlsl : ShaderLanguage::glsl;
+    return run_shader({variant, snippet(language), baked.stored, random_inputs(), expression, use});
+}
+
+TEST_P(BakedLut1D, AShaderFetchesTheCoresOwnValueAtTenThousandCosines) {
+    for (const std::string& scene : {morpho, beetle}) {
+        for (const AxisKind& kind : axis_kinds()) {
+            const Baked baked = bake_and_read(scene + "[lut.a]\nsize = 512\nx = \"" + std::string(kind.name) + "\"\n");
+            const auto fetched = fetch(baked, GetParam(), "nacre_fetch(LUT, nacre_" + std::string(kind.name) + "(value.x))");
+            const double error = largest_error(baked, fetched, random_inputs(), [&](const auto& input) {
+                return std::array<double, 2>{kind.coordinate(static_cast<double>(input[0])), 0.0};
+            });
+            // cos and theta waste texels where the colour does not change: their own error, seen in exact arithmetic, is
+            // what linear interpolation of 512 texels leaves.
+            EXPECT_LE(error, tolerance) << kind.name;
+            RecordProperty(std::string(kind.name), std::to_string(error));
+        }
+    }
+}
+
+TEST_P(BakedLut1D, DefaultLutOfAShippedSceneKeepsTheContract) {
+    const Baked baked = bake_and_read(beetle);
+    ASSERT_EQ(baked.stored.width(), 256);
+    const auto fetched = fetch(baked, GetParam(), "nacre_fetch(LUT, nacre_sqrt_cos_theta(value.x))");
+    EXPECT_LE(largest_error(baked, fetched, random_inputs(), [](const auto& input) {
+                  return std::array<double, 2>{std::sqrt(static_cast<double>(input[0])), 0.0};
+              }), tolerance);
+}
+
+TEST_P(BakedLut1D, TwoDimensionalLutIsFetchedOverTheAngleAndTheParameter) {
+    const Baked baked = bake_and_read(beetle + "[lut.a]\ny = { parameter = \"width_nm\", from = 40, to = 200 }\nsize = [256, 256]\n");
+    for (const bool first_row_at_v_1 : {false, true}) {
+        const auto fetched = fetch(baked, GetParam(),
+                                   "nacre_fetch(LUT, nacre_sqrt_cos_theta(value.x), nacre_parameter(40.0 + 160.0 * value.y, 40.0, 200.0))",
+                                   {first_row_at_v_1, false});
+        EXPECT_LE(largest_error(baked, fetched, random_inputs(), [](const auto& input) {
+                      return std::array<double, 2>{std::sqrt(static_cast<double>(input[0])), static_cast<double>(input[1])};
+                  }), tolerance);
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Variants, BakedLut1D, ::testing::Values(ShaderVariant::glsl_es_300, ShaderVariant::glsl_450, ShaderVariant::hlsl));
+
+}  // namespace
+}  // namespace nacre::testing

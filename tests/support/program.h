@@ -1,0 +1,47 @@
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace nacre::test {
+
+/// What a run of the nacre program left behind.
+struct ProgramResult {
+    int exit_code = -1;  ///< 128 + signal if a signal ended it
+    std::string out;
+    std::string err;
+};
+
+struct ProgramOptions {
+    std::filesystem::path folder;                                   ///< working directory; empty: this process's
+    std::vector<std::pair<std::string, std::string>> environment;   ///< set on top of ours; OCIO is unset unless named
+    std::function<void()> in_child;                                 ///< runs in the child before the program starts
+    std::filesystem::path out_file;                                 ///< where standard output goes; empty: captured
+};
+
+/// Runs the program that this build made.
+ProgramResult run_nacre(const std::vector<std::string>& arguments, const ProgramOptions& options = {});
+
+/// A folder of a test's own, removed with all it holds.
+class TemporaryFolder {
+public:
+    TemporaryFolder();
+    ~TemporaryFolder();
+    TemporaryFolder(const TemporaryFolder&) = delete;
+    TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+
+    const std::filesystem::path& path() const { return path_; }
+    /// Writes a file in it and returns its path.
+    std::string file(const std::string& name, const std::string& text) const;
+    /// Names of everything in it, sorted; hidden files too.
+    std::vector<std::string> names() const;
+
+private:
+    std::filesystem::path path_;
+};
+
+std::string file_bytes(const std::filesystem::path& path);
+
+}  // namespace nacre::test

@@ -39,7 +39,7 @@ do for [i = 1:2] {
     set format x (i == 2 ? '%g' : '')
     if (i == 2) { set xlabel 'wavelength λ (nm)' textcolor rgb ink }
     set label 1 title[i] at 617, 1.0 right textcolor rgb ink font heading
-    set label 2 'each curve in the colour it has under D65' at 617, 0.88 right textcolor rgb faint font note
+    if (i == 2) { unset label 2 } else { set label 2 'each curve in the colour it has under D65' at 617, 0.88 right textcolor rgb faint font note }
     plot for [k = 1:curves[i]] data using 1:(inside(column(1), 8 * i + k) ? column(k + 1) : NaN) with lines linecolor rgb display_rgb[8 * i + k] linewidth 3.5, \
          colours using (column('peak_nm') + aside(column('angle_deg'))):(column('height') + 0.05):(sprintf('%g°', column('angle_deg'))):'display_rgb' \
              with labels textcolor rgb variable

@@ -39,7 +39,7 @@ set xlabel 'angle θ' textcolor rgb ink
 set yrange [-2.9:0.6]
 set ytics 1
 set format y '%g'
-set ylabel 'error of the line (%)' textcolor rgb ink offset 0.5, 0
+set ylabel 'error of the line (%)' textcolor rgb ink offset -1, 0
 do for [i = 1:3] {
     stats data using 1:(100 * column(3 * i + 1)) nooutput
     set label i sprintf('n = %s: %.2f %% low', index[i], -STATS_min_y) at STATS_pos_min_y, STATS_min_y + above[i] center \

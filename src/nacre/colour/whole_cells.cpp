@@ -20,32 +20,34 @@ Xyz cosine_sum(const double* HWY_RESTRICT x, const double* HWY_RESTRICT y, const
                double cos_phase, double sin_phase, double cos_step, double sin_step) {
     const hn::ScalableTag<double> d;
     const size_t lanes = hn::Lanes(d);
-    // Phases of the first nodes, relative to the first one, by doubling: short chains of dependent products.
-    HWY_ALIGN double cosines[2 * hn::MaxLanes(d)];
-    HWY_ALIGN double sines[2 * hn::MaxLanes(d)];
-    cosines[0] = 1.0;
-    sines[0] = 0.0;
+    // Lane i starts i steps on: for every bit of i the lanes that have it turn by that power of two. Short chains, and
+    // no way through memory, where a wide load would wait for narrow stores.
+    const hn::RebindToUnsigned<decltype(d)> du;
+    const auto lane = hn::Iota(du, 0);
     double turn_c = cos_step;
     double turn_s = sin_step;
-    for (size_t known = 1; known < 2 * lanes; known *= 2) {
-        for (size_t i = 0; i < known; ++i) {
-            cosines[known + i] = cosines[i] * turn_c - sines[i] * turn_s;
-            sines[known + i] = sines[i] * turn_c + cosines[i] * turn_s;
-        }
+    auto cos_a = hn::Set(d, cos_phase);
+    auto sin_a = hn::Set(d, sin_phase);
+    const auto double_turn = [&] {
         const double doubled = (turn_c - turn_s) * (turn_c + turn_s);
         turn_s = 2.0 * turn_c * turn_s;
         turn_c = doubled;
+    };
+    for (size_t bit = 1; bit < lanes; bit *= 2) {
+        const auto has_bit = hn::RebindMask(d, hn::TestBit(lane, hn::Set(du, bit)));
+        const auto c = hn::Set(d, turn_c);
+        const auto s = hn::Set(d, turn_s);
+        const auto turned_cos = hn::NegMulAdd(sin_a, s, hn::Mul(cos_a, c));
+        const auto turned_sin = hn::MulAdd(cos_a, s, hn::Mul(sin_a, c));
+        cos_a = hn::IfThenElse(has_bit, turned_cos, cos_a);
+        sin_a = hn::IfThenElse(has_bit, turned_sin, sin_a);
+        double_turn();
     }
-    const auto start_cos = hn::Set(d, cos_phase);
-    const auto start_sin = hn::Set(d, sin_phase);
-    const auto relative_cos_a = hn::Load(d, cosines);
-    const auto relative_sin_a = hn::Load(d, sines);
-    const auto relative_cos_b = hn::Load(d, cosines + lanes);
-    const auto relative_sin_b = hn::Load(d, sines + lanes);
-    auto cos_a = hn::NegMulAdd(relative_sin_a, start_sin, hn::Mul(relative_cos_a, start_cos));
-    auto sin_a = hn::MulAdd(relative_cos_a, start_sin, hn::Mul(relative_sin_a, start_cos));
-    auto cos_b = hn::NegMulAdd(relative_sin_b, start_sin, hn::Mul(relative_cos_b, start_cos));
-    auto sin_b = hn::MulAdd(relative_cos_b, start_sin, hn::Mul(relative_sin_b, start_cos));
+    const auto next_cos = hn::Set(d, turn_c);
+    const auto next_sin = hn::Set(d, turn_s);
+    auto cos_b = hn::NegMulAdd(sin_a, next_sin, hn::Mul(cos_a, next_cos));
+    auto sin_b = hn::MulAdd(cos_a, next_sin, hn::Mul(sin_a, next_cos));
+    double_turn();
     const auto turn_cos = hn::Set(d, turn_c);
     const auto turn_sin = hn::Set(d, turn_s);
 

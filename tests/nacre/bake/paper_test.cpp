@@ -84,8 +84,8 @@ TEST(Paper, LargestErrorOfTheStraightLineIsWhereItsSlopeIsThatOfPathFactor) {
         const double slope = index - grazing;
         const double x = 0.5 / slope;
         const double furthest = (x - grazing - (x * x - grazing * grazing) * slope) / index;
-        // Whole degrees miss a flat maximum by less than 2e-6.
-        EXPECT_NEAR(figure.largest(std::string("error_") + name, 0.0, 90.0), furthest, 2e-6) << name;
+        // Whole degrees miss the flat maximum by half a degree at most: 0.1 * (0.5 degrees)^2 for n = 1.25.
+        EXPECT_NEAR(figure.largest(std::string("error_") + name, 0.0, 90.0), furthest, 8e-6) << name;
     }
 }
 

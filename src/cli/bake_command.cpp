@@ -49,9 +49,9 @@ struct Task {
 };
 
 struct Outcome {
-    std::string line;              // for people
-    nlohmann::ordered_json json;   // for machines
-    std::string failure;           // why it was not written; empty if it was
+    std::string line;             // for people
+    nlohmann::ordered_json json;  // for machines
+    std::string failure;          // why it was not written; empty if it was
     std::size_t outside_gamut = 0;
     bool unchanged = false;
 };
@@ -62,7 +62,8 @@ std::vector<Task> list_tasks(const std::vector<LoadedScene>& scenes, bool with_l
         if (with_luts) {
             for (const PlannedLut& lut : scene.plan.luts) tasks.push_back({&scene, &lut, nullptr, 0});
         }
-        for (std::size_t i = 0; i < scene.plan.swatches.size(); ++i) tasks.push_back({&scene, nullptr, &scene.plan.swatches[i], i});
+        for (std::size_t i = 0; i < scene.plan.swatches.size(); ++i)
+            tasks.push_back({&scene, nullptr, &scene.plan.swatches[i], i});
     }
     return tasks;
 }
@@ -77,7 +78,8 @@ void keep_only(std::vector<Task>& tasks, const std::vector<std::string>& only) {
         throw Error("--only " + name + ": the scenes have no LUT or swatch of that name" +
                     (near.empty() ? "" : "; did you mean " + comma_separated(near) + "?"));
     }
-    std::erase_if(tasks, [&](const Task& task) { return std::find(only.begin(), only.end(), task.name()) == only.end(); });
+    std::erase_if(tasks,
+                  [&](const Task& task) { return std::find(only.begin(), only.end(), task.name()) == only.end(); });
 }
 
 // "I/N", 1 <= I <= N: every N-th task, beginning with the I-th.
@@ -106,8 +108,9 @@ void put(OutputFolder& folder, const std::string& name, std::string_view bytes, 
 }
 
 std::string swatch_bytes(const PlannedSwatch& swatch, const ColourTransform& transform) {
-    const PngSettings settings{find_font(), transform.interop_id() == srgb_display_id};
-    const auto bytes = encode_swatch_png(draw_swatch(swatch), [&](const Image<Xyz>& image) { return transform.apply(image); }, settings);
+    const PngSettings settings{find_font(), transform.interop_id() == srgb_display_id, swatch.gamut == Gamut::compress};
+    const auto bytes = encode_swatch_png(
+        draw_swatch(swatch), [&](const Image<Xyz>& image) { return transform.apply(image); }, settings);
     return {bytes.begin(), bytes.end()};
 }
 
@@ -121,14 +124,19 @@ Outcome bake_one_lut(const Task& task, OutputFolder& folder, bool force) {
     for (const LutOutput output : lut.outputs) {
         const std::string file = lut.name + "." + std::string(name_of(output_words, output));
         switch (output) {
-            case LutOutput::exr: put(folder, file, encode_lut(baked.image, lut.format, baked.header), force, outcome.unchanged); break;
-            case LutOutput::json: put(folder, file, manifest, force, outcome.unchanged); break;
+            case LutOutput::exr:
+                put(folder, file, encode_lut(baked.image, lut.format, baked.header), force, outcome.unchanged);
+                break;
+            case LutOutput::json:
+                put(folder, file, manifest, force, outcome.unchanged);
+                break;
             case LutOutput::png: {
                 PlannedSwatch strip;
                 strip.name = lut.name;
                 strip.title = lut.name;
                 strip.jobs = {lut.job};
-                put(folder, file, swatch_bytes(strip, scene.config.to_display("", "", lut.where.text())), force, outcome.unchanged);
+                put(folder, file, swatch_bytes(strip, scene.config.to_display("", "", lut.where.text())), force,
+                    outcome.unchanged);
                 break;
             }
         }
@@ -136,10 +144,14 @@ Outcome bake_one_lut(const Task& task, OutputFolder& folder, bool force) {
     outcome.outside_gamut = baked.gamut.outside;
     outcome.json = nlohmann::ordered_json::parse(manifest);
     outcome.json["unchanged"] = outcome.unchanged;
-    outcome.line = lut.name + ".exr  " + size_text(lut.job) + " " + std::string(name_of(format_words, lut.format)) + "  " + scene.transform.target();
+    outcome.line = lut.name + ".exr  " + size_text(lut.job) + " " + std::string(name_of(format_words, lut.format)) +
+                   "  " + scene.transform.target();
     if (baked.gamut.outside > 0) {
-        outcome.line += "  " + std::to_string(baked.gamut.outside) + " of " + std::to_string(baked.image.size()) + " texels out of gamut, " +
-                        (scene.plan.colour.gamut == Gamut::keep ? "kept" : scene.plan.colour.gamut == Gamut::clip ? "clipped" : "compressed");
+        outcome.line += "  " + std::to_string(baked.gamut.outside) + " of " + std::to_string(baked.image.size()) +
+                        " texels out of gamut, " +
+                        (scene.plan.colour.gamut == Gamut::keep   ? "kept"
+                         : scene.plan.colour.gamut == Gamut::clip ? "clipped"
+                                                                  : "compressed");
     }
     char angle[64];
     if (baked.clamped.below_deg) {
@@ -160,8 +172,13 @@ Outcome bake_one_swatch(const Task& task, OutputFolder& folder, bool force) {
     Outcome outcome;
     outcome.unchanged = true;
     put(folder, swatch.name + ".png", swatch_bytes(swatch, transform), force, outcome.unchanged);
-    outcome.line = swatch.name + ".png  " + std::string(name_of(swatch_words, swatch.kind)) + "  " + transform.target() + (outcome.unchanged ? "  (unchanged)" : "");
-    outcome.json = {{"file", swatch.name + ".png"}, {"draw", name_of(swatch_words, swatch.kind)}, {"display", transform.display()}, {"view", transform.view()}, {"unchanged", outcome.unchanged}};
+    outcome.line = swatch.name + ".png  " + std::string(name_of(swatch_words, swatch.kind)) + "  " +
+                   transform.target() + (outcome.unchanged ? "  (unchanged)" : "");
+    outcome.json = {{"file", swatch.name + ".png"},
+                    {"draw", name_of(swatch_words, swatch.kind)},
+                    {"display", transform.display()},
+                    {"view", transform.view()},
+                    {"unchanged", outcome.unchanged}};
     return outcome;
 }
 
@@ -183,11 +200,13 @@ int report_dry_run(const std::vector<Task>& tasks, Console& console) {
     for (const Task& task : tasks) {
         std::vector<std::string> files;
         if (task.lut != nullptr) {
-            for (const LutOutput output : task.lut->outputs) files.push_back(task.lut->name + "." + std::string(name_of(output_words, output)));
+            for (const LutOutput output : task.lut->outputs)
+                files.push_back(task.lut->name + "." + std::string(name_of(output_words, output)));
         } else {
             files.push_back(task.swatch->name + ".png");
         }
-        console.summary("would write " + comma_separated(files) + (task.lut != nullptr ? "  " + size_text(task.lut->job) : ""));
+        console.summary("would write " + comma_separated(files) +
+                        (task.lut != nullptr ? "  " + size_text(task.lut->job) : ""));
         json.push_back({{"files", files}});
     }
     if (console.json()) console.result(nlohmann::ordered_json{{"would_write", json}}.dump(2));
@@ -199,7 +218,8 @@ int run_bake(const BakeOptions& options, bool with_luts, Console& console) {
     std::vector<Task> tasks = list_tasks(scenes, with_luts);
     keep_only(tasks, options.only);
     keep_shard(tasks, options.shard);
-    if (tasks.empty() && !with_luts && options.only.empty() && options.shard.empty()) throw Error("the scenes have no [swatch.NAME]; add one");
+    if (tasks.empty() && !with_luts && options.only.empty() && options.shard.empty())
+        throw Error("the scenes have no [swatch.NAME]; add one");
     if (options.dry_run) return report_dry_run(tasks, console);
 
     OutputFolder folder(options.folder);
@@ -235,11 +255,14 @@ int run_bake(const BakeOptions& options, bool with_luts, Console& console) {
     }
     if (outside_gamut > 0) {
         console.warning(std::to_string(outside_gamut) + (outside_gamut == 1 ? " LUT has" : " LUTs have") +
-                        " negative components, because the colour lies outside the target's gamut; [colour] gamut = \"clip\" or \"compress\" "
+                        " negative components, because the colour lies outside the target's gamut; [colour] gamut = "
+                        "\"clip\" or \"compress\" "
                         "removes them, a wider space keeps the colour");
     }
     if (console.json()) {
-        console.result(nlohmann::ordered_json{{"luts", json_luts}, {"swatches", json_swatches}, {"failures", json_failures}}.dump(2));
+        console.result(
+            nlohmann::ordered_json{{"luts", json_luts}, {"swatches", json_swatches}, {"failures", json_failures}}.dump(
+                2));
     }
     return json_failures.empty() ? exit_done : exit_some_failed;
 }
@@ -247,9 +270,12 @@ int run_bake(const BakeOptions& options, bool with_luts, Console& console) {
 void declare_common(CLI::App& app, BakeOptions& options) {
     app.add_option("SCENE", options.scenes, "scene files (TOML)")->required();
     app.add_option("-o,--output", options.folder, "folder for the files; made if it is missing")->capture_default_str();
-    app.add_option("--only", options.only, "only the LUT or swatch of this name; may be repeated")->allow_extra_args(false);
+    app.add_option("--only", options.only, "only the LUT or swatch of this name; may be repeated")
+        ->allow_extra_args(false);
     app.add_option("--ocio", options.ocio, "OpenColorIO config; wins over the scene's, which wins over $OCIO");
-    app.add_option("--threads", options.threads, "threads at once; 0: one per core")->check(CLI::Range(0, 1024))->capture_default_str();
+    app.add_option("--threads", options.threads, "threads at once; 0: one per core")
+        ->check(CLI::Range(0, 1024))
+        ->capture_default_str();
     app.add_flag("--force", options.force, "write files that are up to date as well");
     app.add_flag("--dry-run", options.dry_run, "say which files would be written, and stop");
 }

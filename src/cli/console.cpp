@@ -16,7 +16,8 @@ constexpr std::size_t bar_width = 40;
 void write_out(std::string_view line) {
     std::fwrite(line.data(), 1, line.size(), stdout);
     std::fputc('\n', stdout);
-    if (std::ferror(stdout) != 0) throw IoError(std::string("standard output cannot be written: ") + std::strerror(errno));
+    if (std::ferror(stdout) != 0)
+        throw IoError(std::string("standard output cannot be written: ") + std::strerror(errno));
 }
 
 }  // namespace

@@ -24,11 +24,14 @@ void check_output_names(const std::vector<LoadedScene>& scenes) {
         std::string key = name + suffix;
         for (char& c : key) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
         const auto [first, is_new] = taken.emplace(key, where.text());
-        if (!is_new) throw Error(where.text() + ": this would write " + name + suffix + ", and so would " + first->second + "; rename one of them");
+        if (!is_new)
+            throw Error(where.text() + ": this would write " + name + suffix + ", and so would " + first->second +
+                        "; rename one of them");
     };
     for (const LoadedScene& scene : scenes) {
         for (const PlannedLut& lut : scene.plan.luts) {
-            for (const LutOutput output : lut.outputs) claim(lut.name, "." + std::string(name_of(output_words, output)), lut.where);
+            for (const LutOutput output : lut.outputs)
+                claim(lut.name, "." + std::string(name_of(output_words, output)), lut.where);
         }
         for (const PlannedSwatch& swatch : scene.plan.swatches) claim(swatch.name, ".png", swatch.where);
     }
@@ -42,13 +45,15 @@ LoadedScene load_scene(const std::string& path, const std::string& ocio, bool wa
     const std::string where = plan.colour.space_where.line > 0 ? plan.colour.space_where.text() + " [colour]" : path;
     ColourTransform transform = config.to_colour_space(plan.colour.space, where);
     if (plan.colour.gamut == Gamut::compress && !transform.linear_matrix()) {
-        throw Error(where + ": gamut = \"compress\" needs a linear space, and " + transform.target() + " is none; use clip or keep");
+        throw Error(where + ": gamut = \"compress\" needs a linear space, and " + transform.target() +
+                    " is none; use clip or keep");
     }
     plan.colour.space = transform.target();
     std::vector<ColourTransform> swatch_transforms;
     if (want_swatches) {
         for (const PlannedSwatch& swatch : plan.swatches) {
-            swatch_transforms.push_back(config.to_display(swatch.display, swatch.view, swatch.where.text() + " [swatch." + swatch.name + "]"));
+            swatch_transforms.push_back(
+                config.to_display(swatch.display, swatch.view, swatch.where.text() + " [swatch." + swatch.name + "]"));
         }
     }
     console.note(path + ": " + std::to_string(plan.luts.size()) + " LUTs and " + std::to_string(plan.swatches.size()) +

@@ -17,7 +17,7 @@ struct LoadedScene {
     Plan plan;
     ColourConfig config;
     ColourSource source;
-    ColourTransform transform;                      ///< XYZ D65 to the LUTs' colour space
+    ColourTransform transform;                       ///< XYZ D65 to the LUTs' colour space
     std::vector<ColourTransform> swatch_transforms;  ///< as many as the plan has swatches
 };
 

@@ -5,7 +5,9 @@ namespace nacre {
 
 Command add_snippet_command(CLI::App& app) {
     const auto language = std::make_shared<std::string>();
-    app.add_option("LANGUAGE", *language, "glsl (ES 3.00 and 4.50) or hlsl")->required()->check(CLI::IsMember({"glsl", "hlsl"}));
+    app.add_option("LANGUAGE", *language, "glsl (ES 3.00 and 4.50) or hlsl")
+        ->required()
+        ->check(CLI::IsMember({"glsl", "hlsl"}));
     app.footer("\nExample:\n  nacre snippet glsl > nacre.glsl\n");
     return [language](Console& console) {
         std::string text = snippet(*language == "glsl" ? ShaderLanguage::glsl : ShaderLanguage::hlsl);

@@ -99,7 +99,8 @@ private:
             known.push_back(candidate.name);
         }
         const auto near = nearest_names(name, known, 5);
-        throw Error(where + ": unknown material " + in_quotes(name) + "; known: " + comma_separated(near.empty() ? known : near));
+        throw Error(where + ": unknown material " + in_quotes(name) +
+                    "; known: " + comma_separated(near.empty() ? known : near));
     }
 
     static void check_angle(double angle_deg, const std::string& where) {
@@ -128,7 +129,8 @@ private:
         const std::size_t columns = options_.xyz ? 2 : 3;
         const char* heading = options_.xyz ? "material,angle_deg" : "material,angle_deg,wavelength_nm";
         std::vector<CsvRow> rows = read_csv(options_.points);
-        if (!rows.empty() && rows.front().fields.size() >= 2 && rows.front().fields[1] == "angle_deg") rows.erase(rows.begin());
+        if (!rows.empty() && rows.front().fields.size() >= 2 && rows.front().fields[1] == "angle_deg")
+            rows.erase(rows.begin());
         std::vector<Point> points;
         for (const CsvRow& row : rows) {
             const std::string where = options_.points + ":" + std::to_string(row.line);
@@ -141,7 +143,8 @@ private:
                 point.wavelength_text = row.fields[2];
                 point.wavelength_nm = csv_number(options_.points, row, 2);
                 if (!(point.wavelength_nm > 0.0 && point.wavelength_nm <= longest_wavelength_nm)) {
-                    throw Error(where + ": wavelength " + row.fields[2] + " is out of range; allowed (0, " + number_text(longest_wavelength_nm) + "] nm");
+                    throw Error(where + ": wavelength " + row.fields[2] + " is out of range; allowed (0, " +
+                                number_text(longest_wavelength_nm) + "] nm");
                 }
             }
             points.push_back(std::move(point));
@@ -151,10 +154,12 @@ private:
 
     void print_spectra(const std::vector<Point>& points) {
         const LightSettings& light = plan_.light->settings;
-        const WavelengthGrid grid{static_cast<double>(light.first_nm), static_cast<double>(light.last_nm), light.last_nm - light.first_nm + 1};
+        const WavelengthGrid grid{static_cast<double>(light.first_nm), static_cast<double>(light.last_nm),
+                                  light.last_nm - light.first_nm + 1};
         Report report(console_, {"material", "angle_deg"}, {"wavelength_nm", "R_s", "R_p", "R"});
         for (const Point& point : points) {
-            const Spectrum spectrum = reflectance(point.material->mechanism, Incidence::from_degrees(point.angle_deg), grid);
+            const Spectrum spectrum =
+                reflectance(point.material->mechanism, Incidence::from_degrees(point.angle_deg), grid);
             for (int node = 0; node < grid.count; ++node) {
                 const double r = spectrum.value[static_cast<std::size_t>(node)];
                 report.row({point.material->name, point.angle_text}, {grid.wavelength_nm(node), r, r, r});
@@ -166,9 +171,11 @@ private:
     void print_points(const std::vector<Point>& points) {
         Report report(console_, {"material", "angle_deg", "wavelength_nm"}, {"R_s", "R_p", "T_s", "T_p"});
         for (const Point& point : points) {
-            const Response response = response_at(point.material->mechanism, Incidence::from_degrees(point.angle_deg), point.wavelength_nm);
-            report.row({point.material->name, point.angle_text, point.wavelength_text},
-                       {response.reflectance_s, response.reflectance_p, response.transmittance_s, response.transmittance_p});
+            const Response response =
+                response_at(point.material->mechanism, Incidence::from_degrees(point.angle_deg), point.wavelength_nm);
+            report.row(
+                {point.material->name, point.angle_text, point.wavelength_text},
+                {response.reflectance_s, response.reflectance_p, response.transmittance_s, response.transmittance_p});
         }
         report.finish();
     }
@@ -176,9 +183,11 @@ private:
     void print_xyz(const std::vector<Point>& points) {
         Report report(console_, {"material", "angle_deg"}, {"X", "Y", "Z", "X_adapted", "Y_adapted", "Z_adapted"});
         for (const Point& point : points) {
-            const Xyz seen = reflectance_xyz(point.material->mechanism, Incidence::from_degrees(point.angle_deg), *plan_.light);
+            const Xyz seen =
+                reflectance_xyz(point.material->mechanism, Incidence::from_degrees(point.angle_deg), *plan_.light);
             const Xyz adapted = adapt(plan_.light->adaptation, seen);
-            report.row({point.material->name, point.angle_text}, {seen.x, seen.y, seen.z, adapted.x, adapted.y, adapted.z});
+            report.row({point.material->name, point.angle_text},
+                       {seen.x, seen.y, seen.z, adapted.x, adapted.y, adapted.z});
         }
         report.finish();
     }
@@ -193,15 +202,17 @@ private:
 Command add_spectrum_command(CLI::App& app) {
     const auto options = std::make_shared<SpectrumOptions>();
     app.add_option("SCENE", options->scene, "scene file (TOML)")->required();
-    app.add_option("--material", options->materials, "material of the scene; may be repeated; default: all")->allow_extra_args(false);
+    app.add_option("--material", options->materials, "material of the scene; may be repeated; default: all")
+        ->allow_extra_args(false);
     app.add_option("--angle", options->angles_deg, "degrees from the normal, 0 to 90; default: 0");
     app.add_option("--points", options->points,
                    "CSV of material,angle_deg,wavelength_nm: R_s,R_p,T_s,T_p per row; with --xyz of material,angle_deg")
         ->excludes("--material")
         ->excludes("--angle");
     app.add_flag("--xyz", options->xyz, "X, Y, Z under the scene's light instead, before and after adaptation to D65");
-    app.footer("\nThe exact model, no LUT in between. A palette is opaque: its T is 0, and s and p are alike.\n\n"
-               "Example:\n  nacre spectrum configs/scenes/morpho.toml --material morpho --angle 0 20 40\n");
+    app.footer(
+        "\nThe exact model, no LUT in between. A palette is opaque: its T is 0, and s and p are alike.\n\n"
+        "Example:\n  nacre spectrum configs/scenes/morpho.toml --material morpho --angle 0 20 40\n");
     return [options](Console& console) { return SpectrumRun(*options, console).run(); };
 }
 

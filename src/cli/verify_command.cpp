@@ -10,13 +10,15 @@ namespace nacre {
 namespace {
 
 std::string verdict_text(const StoredLut& stored, const Verification& found) {
-    if (found.passed()) return "verified: header complete, " + std::to_string(stored.image.size()) + " texels equal a re-bake";
+    if (found.passed())
+        return "verified: header complete, " + std::to_string(stored.image.size()) + " texels equal a re-bake";
     std::string text = "NOT verified:";
     if (!found.missing.empty()) text += " the header lacks " + comma_separated(found.missing) + ";";
     if (!found.wrong.empty()) text += " the header contradicts its scene in " + comma_separated(found.wrong) + ";";
     if (!found.problem.empty()) text += " " + found.problem + ";";
     if (found.differing > 0) {
-        text += " " + std::to_string(found.differing) + " components differ from a re-bake, by up to " + number_text(found.largest_difference) + ";";
+        text += " " + std::to_string(found.differing) + " components differ from a re-bake, by up to " +
+                number_text(found.largest_difference) + ";";
     }
     text.pop_back();
     return text;

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "io/scene_file.h"
 #include "io/hash.h"
+#include "io/scene_file.h"
 #include "nacre/bake/bake.h"
 #include "nacre/bake/text.h"
 #include "nacre/colour/rgb_space.h"

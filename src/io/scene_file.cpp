@@ -42,7 +42,9 @@ public:
             const std::string name(key->str());
             // Messages name the nearest heading; line and column do the rest for inline tables and arrays.
             const bool has_heading = node->is_table() && !node->as_table()->is_inline();
-            const std::string path = !has_heading ? table.path() : table.path().empty() ? name : table.path() + "." + name;
+            const std::string path = !has_heading           ? table.path()
+                                     : table.path().empty() ? name
+                                                            : table.path() + "." + name;
             table.add(name, where_of(key->source(), file_), convert(*node, path, depth + 1));
         }
     }

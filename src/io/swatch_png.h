@@ -17,9 +17,8 @@ using DisplayTransform = std::function<Image<Rgb>(const Image<Xyz>&)>;
 /// How a picture becomes a file.
 struct PngSettings {
     std::filesystem::path font;  ///< a font file, see find_font()
-    /// Whether the transform leads to sRGB: the file says so, and colours that sRGB lacks are fitted, see
-    /// fit_to_srgb().
-    bool is_srgb = true;
+    bool is_srgb = true;         ///< whether the transform leads to sRGB; the file says so
+    bool compress = true;        ///< bend colours beyond sRGB into it, see fit_to_srgb(); only if is_srgb
 };
 
 /// The picture as the bytes of a PNG: 8-bit RGB, rounded to nearest, no dithering, no date, no program's name.

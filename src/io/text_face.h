@@ -1,6 +1,6 @@
 #pragma once
 
-#include <memory>
+#include <cstddef>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -16,26 +16,31 @@ struct TextPixels {
     Image<float> coverage;
 };
 
-/// A font, opened by FreeType.
+/// A font that OpenImageIO draws text with.
 ///
-/// OpenImageIO has render_text(), but up to 2.4 it keeps only the last six bits of a letter beyond ASCII, so that a
-/// degree sign comes out as a zero (its issue 3933). One thread at a time may use an object; each may have its own.
+/// What its render_text() cannot draw up to version 2.4 is drawn as best it can be: a degree sign as a small raised o,
+/// any other letter beyond ASCII as a question mark. May be used from many threads; OpenImageIO lets one of them draw
+/// at a time.
 class TextFace {
 public:
     /// @throws IoError if the file is no font
-    explicit TextFace(const std::string& file);
+    explicit TextFace(std::string file);
 
     /// In pixels, from the start of the first letter's space to the end of the last one's.
-    /// @param text  UTF-8; what is not becomes U+FFFD, and letters that the font lacks become its box
-    double width_px(std::string_view text, int size_px) const;
+    /// @param text  UTF-8
+    int width_px(std::string_view text, int size_px) const;
     TextPixels draw(std::string_view text, int size_px) const;
 
 private:
-    struct Glyphs;
-    std::shared_ptr<Glyphs> glyphs_;
+    std::string file_;
 };
 
-/// Code points of UTF-8; every byte that is no part of a letter becomes U+FFFD.
-std::vector<char32_t> code_points(std::string_view utf8);
+/// A letter of UTF-8 and how many bytes it takes; every byte that is no part of a letter is a U+FFFD of its own.
+struct Letter {
+    char32_t code;
+    std::size_t bytes;
+    friend bool operator==(const Letter&, const Letter&) = default;
+};
+std::vector<Letter> letters_of(std::string_view utf8);
 
 }  // namespace nacre

@@ -1,4 +1,5 @@
-// One lobe to XYZ, widths 40 to 400 nm: the exact integral beside the sums that others make, and beside its simple twin.
+// One lobe to XYZ, widths 40 to 400 nm: the exact integral beside the sums that others make, and beside its simple
+// twin.
 #include <benchmark/benchmark.h>
 
 #include "nacre/colour/illuminant.h"
@@ -9,7 +10,8 @@ namespace nacre {
 namespace {
 
 const TristimulusWeights& weights() {
-    static const TristimulusWeights result = make_tristimulus_weights(Observer::cie1931_2deg, *illuminant_by_name("D65"));
+    static const TristimulusWeights result =
+        make_tristimulus_weights(Observer::cie1931_2deg, *illuminant_by_name("D65"));
     return result;
 }
 

@@ -49,7 +49,8 @@ TEST_P(BadScene, IsOneLineThatSaysWhereAndWhatAndWritesNothing) {
 const std::vector<Mistake> mistakes{
     {"UnknownTopKey", "illuminant = \"D65\"\n" + scene(""),
      ":1:1: unknown key \"illuminant\"; known: include, nacre, accuracy, light, colour, material, lut, swatch"},
-    {"UnknownKey", scene("colour = \"red\"\n"), ":4:1 [material.m]: unknown key \"colour\"; known: mechanism, picks, shape"},
+    {"UnknownKey", scene("colour = \"red\"\n"),
+     ":4:1 [material.m]: unknown key \"colour\"; known: mechanism, picks, shape"},
     {"KeyOfLaterWork", scene("[accuracy]\nmax_de00 = 0.1\n"),
      ":5:1 [accuracy]: unknown key \"max_de00\"; known: wavelengths, size"},
     {"WrongType", picks("angle_deg = \"0\", peak_nm = 460, width_nm = 70, height = 1", pick_b),
@@ -72,11 +73,14 @@ const std::vector<Mistake> mistakes{
     {"OnePick", "[material.m]\npicks = [ { " + std::string(pick_a) + " } ]\n",
      ":2:9 [material.m]: picks has 1 entry; allowed 2 to 1000 (the colour at one angle says nothing about the others)"},
     {"OneAngleTwoColours", picks(pick_a, "angle_deg = 0, peak_nm = 500, width_nm = 70, height = 1"),
-     ":2:9 [material.beetle]: picks[0] and picks[1] are different colours at one angle, 0 degrees; allowed are angles at "
+     ":2:9 [material.beetle]: picks[0] and picks[1] are different colours at one angle, 0 degrees; allowed are angles "
+     "at "
      "least 1e-09 degrees apart"},
-    {"UnknownMechanism", "[material.m]\nmechanism = \"stack\"\n", ":2:13 [material.m]: unknown mechanism \"stack\"; known: palette"},
+    {"UnknownMechanism", "[material.m]\nmechanism = \"stack\"\n",
+     ":2:13 [material.m]: unknown mechanism \"stack\"; known: palette"},
     {"UnknownIlluminant", scene("[light]\nilluminant = \"D66\"\n"),
-     ":5:14 [light]: unknown illuminant \"D66\"; known: D65, D50, D55, D75, A, E, FL2, FL7, FL11, or the name of a .csv file "
+     ":5:14 [light]: unknown illuminant \"D66\"; known: D65, D50, D55, D75, A, E, FL2, FL7, FL11, or the name of a "
+     ".csv file "
      "of wavelength_nm,power"},
     {"UnknownObserver", scene("[light]\nobserver = \"cie1932\"\n"),
      ":5:12 [light]: unknown observer \"cie1932\"; known: cie1931_2deg, cie1964_10deg"},
@@ -91,19 +95,22 @@ const std::vector<Mistake> mistakes{
     {"UnknownColourSpace", scene("[colour]\nspace = \"lin_rec907\"\n"), ""},
     {"DataSpace", scene("[colour]\nspace = \"Raw\"\n"), ""},
     {"MissingConfig", scene("[colour]\nconfig = \"no.ocio\"\n"), ""},
-    {"UnknownGamut", scene("[colour]\ngamut = \"fold\"\n"), ":5:9 [colour]: unknown gamut \"fold\"; known: keep, clip, compress"},
+    {"UnknownGamut", scene("[colour]\ngamut = \"fold\"\n"),
+     ":5:9 [colour]: unknown gamut \"fold\"; known: keep, clip, compress"},
     {"CompressIntoACurve", scene("[colour]\nspace = \"srgb_rec709\"\ngamut = \"compress\"\n"),
      ":5:9 [colour]: gamut = \"compress\" needs a linear space, and srgb_rec709 is none; use clip or keep"},
     {"SizeZero", scene("[lut.a]\nsize = 0\n"), ":5:8 [lut.a]: size = 0 is out of range; allowed [2, 4096] texels"},
     {"SizeOne", scene("[lut.a]\nsize = 1\n"), ":5:8 [lut.a]: size = 1 is out of range; allowed [2, 4096] texels"},
-    {"SizeHuge", scene("[lut.a]\nsize = 100000\n"), ":5:8 [lut.a]: size = 100000 is out of range; allowed [2, 4096] texels"},
+    {"SizeHuge", scene("[lut.a]\nsize = 100000\n"),
+     ":5:8 [lut.a]: size = 100000 is out of range; allowed [2, 4096] texels"},
     {"SizeNoPower", scene("[lut.a]\nsize = 100\n"),
      ":5:8 [lut.a]: size = 100 is no power of two; allowed 2, 4, 8 ... 4096 (engines rescale other sizes)"},
     {"SizeNotWhole", scene("[lut.a]\nsize = 256.0\n"), ":5:8 [lut.a]: size = 256 is a number; give a whole number"},
     {"TwoSizesOneAxis", scene("[lut.a]\nsize = [64, 64]\n"),
      ":5:8 [lut.a]: size has two numbers, but there is no y axis; give one"},
     {"UnknownAxis", scene("[lut.a]\nx = \"cos\"\n"),
-     ":5:5 [lut.a]: unknown axis \"cos\"; known: sqrt_cos_theta, cos_theta, theta_deg, or { parameter = \"...\", from = ..., to = "
+     ":5:5 [lut.a]: unknown axis \"cos\"; known: sqrt_cos_theta, cos_theta, theta_deg, or { parameter = \"...\", from "
+     "= ..., to = "
      "... }"},
     {"AxisOverMissingParameter", scene("[lut.a]\ny = { parameter = \"thickness_nm\", from = 100, to = 900 }\n"),
      ":5:19 [lut.a]: mechanism palette has no parameter \"thickness_nm\"; known: shape, peak_nm, width_nm, height, "
@@ -114,20 +121,25 @@ const std::vector<Mistake> mistakes{
     {"AxisWithoutLength", scene("[lut.a]\ny = { parameter = \"height\", from = 1, to = 1 }\n"),
      ":5:44 [lut.a]: from and to are both 1; an axis needs two different ends"},
     {"AxisThroughAnotherPick", scene("[lut.a]\ny = { parameter = \"picks[0].angle_deg\", from = 0, to = 60 }\n"),
-     ":5:5 [lut.a]: picks[0].angle_deg from 0 to 60 passes picks[1] at 40 degrees; two picks at one angle have no colour "
+     ":5:5 [lut.a]: picks[0].angle_deg from 0 to 60 passes picks[1] at 40 degrees; two picks at one angle have no "
+     "colour "
      "between them"},
     {"TwoAngles", scene("[lut.a]\ny = \"cos_theta\"\n"),
      ":5:5 [lut.a]: x and y are both the angle; one of them has to be a parameter"},
     {"TwoAxesOneParameter",
-     scene("[lut.a]\nx = { parameter = \"height\", from = 0, to = 1 }\ny = { parameter = \"picks[0].height\", from = 0, to = 1 }\n"),
+     scene("[lut.a]\nx = { parameter = \"height\", from = 0, to = 1 }\ny = { parameter = \"picks[0].height\", from = "
+           "0, to = 1 }\n"),
      ":6:5 [lut.a]: x and y both set picks[0].height; give two different parameters"},
     {"UnknownMaterial", scene("[lut.a]\nmaterial = \"n\"\n"), ":5:12 [lut.a]: unknown material \"n\"; known: m"},
-    {"UnknownFormat", scene("[lut.a]\nformat = \"double\"\n"), ":5:10 [lut.a]: unknown format \"double\"; known: half, float"},
+    {"UnknownFormat", scene("[lut.a]\nformat = \"double\"\n"),
+     ":5:10 [lut.a]: unknown format \"double\"; known: half, float"},
     {"UnknownOutput", scene("[lut.a]\noutputs = [\"tiff\"]\n"),
      ":5:11 [lut.a]: unknown output \"tiff\"; known: exr, json, png"},
-    {"TwoLutsOneFile", scene("[lut.a]\n[lut.A]\n"), ":5:6: this would write A.exr, and so would s.toml:4:6; rename one of them"},
+    {"TwoLutsOneFile", scene("[lut.a]\n[lut.A]\n"),
+     ":5:6: this would write A.exr, and so would s.toml:4:6; rename one of them"},
     {"NameThatLeavesTheFolder", scene("[lut.\"../a\"]\n"),
-     ":4:6 [lut]: the name \"../a\" cannot be a file's name; allowed are 1 to 100 of A-Z a-z 0-9 _ - . (not first: - .)"},
+     ":4:6 [lut]: the name \"../a\" cannot be a file's name; allowed are 1 to 100 of A-Z a-z 0-9 _ - . (not first: - "
+     ".)"},
     {"NoMaterial", "nacre = 1\n", ": no [material.NAME]; a scene needs one"},
     {"NewerFormat", "nacre = 2\n" + scene(""), ":1:9: nacre = 2 is out of range; allowed [1, 1]"},
     {"NoToml", "[material.m\n", ""},
@@ -182,7 +194,8 @@ TEST(BadCommandLine, NearestColourSpacesAreOffered) {
 TEST(BadCommandLine, ConfigOfTheEnvironmentThatIsMissingIsAnErrorAndAnEmptyOneIsOurs) {
     const TemporaryFolder folder;
     folder.file("s.toml", scene(""));
-    EXPECT_NE(error_of({"bake", "s.toml", "-o", "out"}, folder, 2, {{"OCIO", "/no/such.ocio"}}).find("$OCIO"), std::string::npos);
+    EXPECT_NE(error_of({"bake", "s.toml", "-o", "out"}, folder, 2, {{"OCIO", "/no/such.ocio"}}).find("$OCIO"),
+              std::string::npos);
     error_of({"bake", "s.toml", "-o", "out"}, folder, 0, {{"OCIO", ""}});
 }
 
@@ -190,8 +203,9 @@ TEST(BadCommandLine, CsvThatDoesNotCoverTheRangeSaysWhatItCovers) {
     const TemporaryFolder folder;
     folder.file("lamp.csv", "wavelength_nm,power\n400,1\n700,1\n");
     folder.file("s.toml", scene("[light]\nilluminant = \"lamp.csv\"\n"));
-    EXPECT_EQ(error_of({"bake", "s.toml"}, folder, 2),
-              "nacre: s.toml:5:14 [light]: illuminant \"lamp.csv\" covers 400 to 700 nm; range_nm needs 360 to 830 nm\n");
+    EXPECT_EQ(
+        error_of({"bake", "s.toml"}, folder, 2),
+        "nacre: s.toml:5:14 [light]: illuminant \"lamp.csv\" covers 400 to 700 nm; range_nm needs 360 to 830 nm\n");
 }
 
 TEST(BadCommandLine, CsvWithTwoOfOneWavelengthNamesTheLine) {
@@ -224,7 +238,8 @@ TEST(BadCommandLine, UnknownNameOfOnlyIsAnError) {
 
 TEST(BadCommandLine, SceneThatIsMissingIsAnInputError) {
     const TemporaryFolder folder;
-    EXPECT_EQ(error_of({"bake", "none.toml"}, folder, 3), "nacre: none.toml: cannot be opened: No such file or directory\n");
+    EXPECT_EQ(error_of({"bake", "none.toml"}, folder, 3),
+              "nacre: none.toml: cannot be opened: No such file or directory\n");
     EXPECT_EQ(error_of({"bake", "."}, folder, 3), "nacre: .: is a folder; give a file\n");
 }
 
@@ -232,12 +247,14 @@ TEST(BadPoints, RowsAreCheckedBeforeAnythingIsPrinted) {
     const TemporaryFolder folder;
     folder.file("s.toml", scene(""));
     folder.file("p.csv", "material,angle_deg,wavelength_nm\nm,0,460\nq,0,460\n");
-    EXPECT_EQ(error_of({"spectrum", "s.toml", "--points", "p.csv"}, folder, 2), "nacre: p.csv:3: unknown material \"q\"; known: m\n");
+    EXPECT_EQ(error_of({"spectrum", "s.toml", "--points", "p.csv"}, folder, 2),
+              "nacre: p.csv:3: unknown material \"q\"; known: m\n");
     folder.file("p.csv", "m,91,460\n");
     EXPECT_EQ(error_of({"spectrum", "s.toml", "--points", "p.csv"}, folder, 2),
               "nacre: p.csv:1: angle 91 is out of range; allowed [0, 90] degrees\n");
     folder.file("p.csv", "m,0,nan\n");
-    EXPECT_EQ(error_of({"spectrum", "s.toml", "--points", "p.csv"}, folder, 2), "nacre: p.csv:1: \"nan\" is not a finite number\n");
+    EXPECT_EQ(error_of({"spectrum", "s.toml", "--points", "p.csv"}, folder, 2),
+              "nacre: p.csv:1: \"nan\" is not a finite number\n");
 }
 
 }  // namespace

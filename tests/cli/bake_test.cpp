@@ -1,4 +1,6 @@
 // What `nacre bake` leaves behind when all goes well.
+#include <OpenImageIO/imagebuf.h>
+#include <OpenImageIO/imagebufalgo.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -42,9 +44,10 @@ TEST(Bake, SmallestSceneGivesOneTextureAndItsManifest) {
 TEST(Bake, BytesDoNotDependOnThreadsShardsOrTheFolder) {
     const TemporaryFolder one;
     const TemporaryFolder two;
-    const std::string scene = std::string(two_picks) +
-                              "[lut.a]\n[lut.b]\ny = { parameter = \"width_nm\", from = 10, to = 200 }\nsize = [64, 16]\n"
-                              "[lut.c]\nx = \"theta_deg\"\nformat = \"float\"\n";
+    const std::string scene =
+        std::string(two_picks) +
+        "[lut.a]\n[lut.b]\ny = { parameter = \"width_nm\", from = 10, to = 200 }\nsize = [64, 16]\n"
+        "[lut.c]\nx = \"theta_deg\"\nformat = \"float\"\n";
     one.file("s.toml", scene);
     two.file("s.toml", scene);
     ASSERT_EQ(bake(one, {"--threads", "1"}).exit_code, 0);
@@ -85,7 +88,8 @@ TEST(Bake, DryRunNamesTheFilesAndWritesNone) {
 
 TEST(Bake, OnlyAndOutputsSelectWhatIsWritten) {
     const TemporaryFolder folder;
-    folder.file("s.toml", std::string(two_picks) + "[lut.a]\noutputs = [\"exr\"]\n[lut.b]\noutputs = [\"json\", \"png\"]\n");
+    folder.file("s.toml",
+                std::string(two_picks) + "[lut.a]\noutputs = [\"exr\"]\n[lut.b]\noutputs = [\"json\", \"png\"]\n");
     ASSERT_EQ(bake(folder, {"--only", "a"}).exit_code, 0);
     EXPECT_TRUE(std::filesystem::exists(folder.path() / "out/a.exr"));
     EXPECT_FALSE(std::filesystem::exists(folder.path() / "out/a.json"));
@@ -134,8 +138,12 @@ TEST(Bake, LutThatItsFormatCannotHoldFailsAloneAndTheOthersAreWritten) {
                 "file_rules:\n  - !<Rule> {name: Default, colorspace: default}\n"
                 "displays:\n  none:\n    - !<View> {name: none, colorspace: ap0}\n"
                 "colorspaces:\n  - !<ColorSpace>\n    name: ap0\n  - !<ColorSpace>\n    name: bright\n"
-                "    from_scene_reference: !<MatrixTransform> {matrix: [1e6, 0, 0, 0, 0, 1e6, 0, 0, 0, 0, 1e6, 0, 0, 0, 0, 1]}\n");
-    folder.file("s.toml", std::string(two_picks) + "[colour]\nconfig = \"bright.ocio\"\nspace = \"bright\"\n[lut.small]\n[lut.large]\nformat = \"float\"\n");
+                "    from_scene_reference: !<MatrixTransform> {matrix: [1e6, 0, 0, 0, 0, 1e6, 0, 0, 0, 0, 1e6, 0, 0, "
+                "0, 0, 1]}\n");
+    folder.file(
+        "s.toml",
+        std::string(two_picks) +
+            "[colour]\nconfig = \"bright.ocio\"\nspace = \"bright\"\n[lut.small]\n[lut.large]\nformat = \"float\"\n");
     const ProgramResult result = bake(folder, {});
     EXPECT_EQ(result.exit_code, 1) << result.err;
     EXPECT_EQ(result.err.find("nacre: s.toml:7:6 small: texel ("), 0u) << result.err;
@@ -148,14 +156,17 @@ TEST(Bake, VerifyAcceptsWhatBakeWroteAndNothingElse) {
     const TemporaryFolder folder;
     folder.file("lamp.csv", "wavelength_nm,power\n300,1\n500,3.7\n900,0.5\n");
     folder.file("s.toml", std::string(two_picks) +
-                              "[light]\nilluminant = \"lamp.csv\"\nadapt = \"cat16\"\n[colour]\nspace = \"acescct_ap1\"\ngamut = \"clip\"\n"
+                              "[light]\nilluminant = \"lamp.csv\"\nadapt = \"cat16\"\n[colour]\nspace = "
+                              "\"acescct_ap1\"\ngamut = \"clip\"\n"
                               "[accuracy]\nwavelengths = 95\n"
-                              "[lut.a]\nx = \"cos_theta\"\ny = { parameter = \"picks[1].peak_nm\", from = 400.5, to = 600 }\nsize = [32, 8]\nformat = \"float\"\n");
+                              "[lut.a]\nx = \"cos_theta\"\ny = { parameter = \"picks[1].peak_nm\", from = 400.5, to = "
+                              "600 }\nsize = [32, 8]\nformat = \"float\"\n");
     ASSERT_EQ(bake(folder, {}).exit_code, 0);
     const auto file = folder.path() / "out/a.exr";
     ProgramResult result = run_nacre({"verify", file.string()});
     EXPECT_EQ(result.exit_code, 0) << result.out << result.err;
-    EXPECT_NE(result.out.find("verified: header complete, 256 texels equal a re-bake"), std::string::npos) << result.out;
+    EXPECT_NE(result.out.find("verified: header complete, 256 texels equal a re-bake"), std::string::npos)
+        << result.out;
 
     // One bit of one texel.
     std::string bytes = file_bytes(file);
@@ -177,21 +188,44 @@ TEST(Bake, VerifyAcceptsWhatBakeWroteAndNothingElse) {
     EXPECT_EQ(run_nacre({"verify", file.string()}).exit_code, 3);
 }
 
+// Pictures hold letters, and another version of FreeType draws their edges a little differently: 1 % of the pixels may.
+void expect_alike(const std::filesystem::path& shipped, const std::filesystem::path& made) {
+    OIIO::ImageBuf a(shipped.string());
+    OIIO::ImageBuf b(made.string());
+    const float two_levels = 2.5F / 255.0F;
+    ASSERT_TRUE(a.read() && b.read() && a.spec().width == b.spec().width && a.spec().height == b.spec().height)
+        << shipped;
+    const auto difference = OIIO::ImageBufAlgo::compare(a, b, two_levels, two_levels);
+    EXPECT_LE(difference.nfail, 0.01 * a.spec().width * a.spec().height)
+        << shipped << ": run ./run bake configs/scenes/*.toml -o luts";
+}
+
 TEST(Bake, ShippedLutsAreWhatTheirScenesMake) {
     const TemporaryFolder folder;
     const std::string root = NACRE_SOURCE_DIR;
-    const ProgramResult result = run_nacre(
-        {"bake", root + "/configs/scenes/morpho.toml", root + "/configs/scenes/beetle.toml", "-o", folder.path().string()});
+    const ProgramResult result = run_nacre({"bake", root + "/configs/scenes/morpho.toml",
+                                            root + "/configs/scenes/beetle.toml", "-o", folder.path().string()});
     ASSERT_EQ(result.exit_code, 0) << result.err;
     std::size_t compared = 0;
     for (const std::string& name : folder.names()) {
         const auto shipped = std::filesystem::path(root) / "luts" / name;
         ASSERT_TRUE(std::filesystem::exists(shipped)) << "luts/ lacks " << name;
-        if (shipped.extension() == ".png") continue;  // swatch_png_test compares those, letters aside
-        EXPECT_EQ(file_bytes(shipped), file_bytes(folder.path() / name)) << name << ": run ./run bake configs/scenes/*.toml -o luts";
+        if (shipped.extension() == ".png") {
+            expect_alike(shipped, folder.path() / name);
+        } else {
+            EXPECT_EQ(file_bytes(shipped), file_bytes(folder.path() / name))
+                << name << ": run ./run bake configs/scenes/*.toml -o luts";
+        }
         ++compared;
     }
-    EXPECT_GE(compared, 6u);
+    EXPECT_EQ(compared, 14u);
+}
+
+TEST(Snippet, ShippedOnesAreWhatTheProgramPrints) {
+    for (const std::string language : {"glsl", "hlsl"}) {
+        EXPECT_EQ(run_nacre({"snippet", language}).out,
+                  file_bytes(std::string(NACRE_SOURCE_DIR) + "/luts/nacre." + language));
+    }
 }
 
 }  // namespace

@@ -39,7 +39,8 @@ TEST(Faults, FullDiskLeavesTheOldFileAndNoOther) {
         if (::mount("none", out.c_str(), "tmpfs", 0, "size=4k") != 0) ::_exit(99);
         // What is left on it can only be seen from in here: the program's place is taken by a shell that looks.
         ::setenv("NACRE", NACRE_PROGRAM, 1);
-        ::execl("/bin/sh", "sh", "-c", "\"$NACRE\" bake s.toml --only morpho -o small; echo exit $? left $(ls -A small | wc -l)", nullptr);
+        ::execl("/bin/sh", "sh", "-c",
+                "\"$NACRE\" bake s.toml --only morpho -o small; echo exit $? left $(ls -A small | wc -l)", nullptr);
     };
     const ProgramResult result = run_nacre({}, {folder.path(), {}, small_disk, {}});
     if (result.exit_code == 99) GTEST_SKIP() << "this machine lets nobody mount; the next test covers the writer";
@@ -60,7 +61,8 @@ TEST(Faults, WriterThatFailsHalfWayLeavesTheOldFileAndNoOther) {
     EXPECT_EQ(result.err, "nacre: out/morpho.exr: cannot be written: File too large\n");
     EXPECT_EQ(file_bytes(folder.path() / "out/morpho.exr"), "the old one");
     std::size_t files = 0;
-    for (const auto& entry : std::filesystem::directory_iterator(folder.path() / "out")) files += entry.exists() ? 1 : 0;
+    for (const auto& entry : std::filesystem::directory_iterator(folder.path() / "out"))
+        files += entry.exists() ? 1 : 0;
     EXPECT_EQ(files, 1u);
 }
 
@@ -74,7 +76,8 @@ TEST(Faults, ReadOnlyFolderIsRefused) {
         if (::geteuid() == 0 && (::setgid(65534) != 0 || ::setuid(65534) != 0)) ::_exit(99);
     };
     const ProgramResult result = run_nacre({"bake", "s.toml", "-o", "out"}, {folder.path(), {}, as_nobody, {}});
-    if (result.exit_code == 99 || result.exit_code == 127) GTEST_SKIP() << "the program cannot be run as somebody else here";
+    if (result.exit_code == 99 || result.exit_code == 127)
+        GTEST_SKIP() << "the program cannot be run as somebody else here";
     expect_one_line(result, 3);
     EXPECT_EQ(result.err, "nacre: out/morpho.exr: cannot be written: Permission denied\n");
 }
@@ -115,7 +118,8 @@ TEST(Faults, TerminationLeavesWholeFilesOnly) {
         const pid_t program = ::getpid();
         if (::fork() == 0) {
             const auto out = folder.path() / "out";
-            for (int i = 0; i < 2000 && (!std::filesystem::exists(out) || std::filesystem::is_empty(out)); ++i) ::usleep(5000);
+            for (int i = 0; i < 2000 && (!std::filesystem::exists(out) || std::filesystem::is_empty(out)); ++i)
+                ::usleep(5000);
             ::kill(program, SIGTERM);
             ::_exit(0);
         }
@@ -132,7 +136,9 @@ TEST(Faults, TwoProcessesThatBakeOneLutBothSucceed) {
     const TemporaryFolder folder;
     folder.file("s.toml", scene);
     ProgramResult first;
-    std::thread other([&] { first = run_nacre({"bake", "s.toml", "-o", "out", "--force"}, {folder.path(), {}, {}, {}}); });
+    std::thread other([&] {
+        first = run_nacre({"bake", "s.toml", "-o", "out", "--force"}, {folder.path(), {}, {}, {}});
+    });
     const ProgramResult second = run_nacre({"bake", "s.toml", "-o", "out", "--force"}, {folder.path(), {}, {}, {}});
     other.join();
     EXPECT_EQ(first.exit_code, 0) << first.err;

@@ -32,12 +32,15 @@ std::vector<std::vector<std::string>> rows_of(const std::string& csv) {
 TEST(Spectrum, PointsGiveTheLobesThatWerePicked) {
     const TemporaryFolder folder;
     folder.file("s.toml", scene);
-    folder.file("p.csv", "material,angle_deg,wavelength_nm\nmorpho,0,460\nmorpho,0,470.5\nmorpho,40,395\nmorpho,40,424.9\nmorpho,0,425\n");
+    folder.file("p.csv",
+                "material,angle_deg,wavelength_nm\nmorpho,0,460\nmorpho,0,470.5\nmorpho,40,395\nmorpho,40,424."
+                "9\nmorpho,0,425\n");
     const ProgramResult result = run_nacre({"spectrum", "s.toml", "--points", "p.csv"}, {folder.path(), {}, {}, {}});
     ASSERT_EQ(result.exit_code, 0) << result.err;
     const auto rows = rows_of(result.out);
     ASSERT_EQ(rows.size(), 6u);
-    EXPECT_EQ(rows[0], (std::vector<std::string>{"material", "angle_deg", "wavelength_nm", "R_s", "R_p", "T_s", "T_p"}));
+    EXPECT_EQ(rows[0],
+              (std::vector<std::string>{"material", "angle_deg", "wavelength_nm", "R_s", "R_p", "T_s", "T_p"}));
     const double pi = std::numbers::pi;
     const double expected[] = {1.0, std::cos(pi * 10.5 / 70), 0.7, 0.7 * std::cos(pi * 29.9 / 60), 0.0};
     for (std::size_t i = 0; i < 5; ++i) {
@@ -52,7 +55,8 @@ TEST(Spectrum, XyzComesBeforeAndAfterAdaptationWithAllItsDigits) {
     const TemporaryFolder folder;
     folder.file("s.toml", std::string(scene) + "[light]\nilluminant = \"A\"\n");
     folder.file("p.csv", "morpho,0\nmorpho,17.25\n");
-    const ProgramResult result = run_nacre({"spectrum", "s.toml", "--xyz", "--points", "p.csv"}, {folder.path(), {}, {}, {}});
+    const ProgramResult result =
+        run_nacre({"spectrum", "s.toml", "--xyz", "--points", "p.csv"}, {folder.path(), {}, {}, {}});
     ASSERT_EQ(result.exit_code, 0) << result.err;
     const auto rows = rows_of(result.out);
     ASSERT_EQ(rows.size(), 3u);

@@ -1,5 +1,5 @@
-// The whole road: a scene is baked to a half-float EXR, the EXR is read, a shader fetches from it with nacre's snippet on
-// a graphics pipeline, and what comes out is the core's own value at that angle.
+// The whole road: a scene is baked to a half-float EXR, the EXR is read, a shader fetches from it with nacre's snippet
+// on a graphics pipeline, and what comes out is the core's own value at that angle.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -34,17 +34,20 @@ Baked bake_and_read(const std::string& scene) {
     const ColourTransform transform = config.to_colour_space(plan.colour.space, "test");
     const PlannedLut& lut = plan.luts.front();
     const test::TemporaryFolder folder;
-    const std::string file = folder.file("lut.exr", encode_lut(bake_lut(lut, plan.colour, {}, transform).image, lut.format, {}));
+    const std::string file =
+        folder.file("lut.exr", encode_lut(bake_lut(lut, plan.colour, {}, transform).image, lut.format, {}));
     return {lut, read_lut(file).image, transform};
 }
 
-double largest_error(const Baked& baked, const std::vector<Rgb>& fetched, const std::vector<std::array<float, 4>>& inputs,
+double largest_error(const Baked& baked, const std::vector<Rgb>& fetched,
+                     const std::vector<std::array<float, 4>>& inputs,
                      const std::function<std::array<double, 2>(const std::array<float, 4>&)>& coordinates) {
     double largest = 0.0;
     for (std::size_t i = 0; i < inputs.size(); ++i) {
         const auto [x, y] = coordinates(inputs[i]);
         const Rgb exact = baked.transform.apply(exact_xyz(baked.lut.job, x, y));
-        largest = std::max({largest, std::abs(fetched[i].r - exact.r), std::abs(fetched[i].g - exact.g), std::abs(fetched[i].b - exact.b)});
+        largest = std::max({largest, std::abs(fetched[i].r - exact.r), std::abs(fetched[i].g - exact.g),
+                            std::abs(fetched[i].b - exact.b)});
     }
     return largest;
 }
@@ -59,10 +62,12 @@ std::vector<std::array<float, 4>> random_inputs() {
 
 const std::string morpho =
     "[material.m]\nshape = 0.26\n"
-    "picks = [ { angle_deg = 0, peak_nm = 460, width_nm = 70, height = 1.0 }, { angle_deg = 40, peak_nm = 395, width_nm = 60, height = 0.7 } ]\n";
+    "picks = [ { angle_deg = 0, peak_nm = 460, width_nm = 70, height = 1.0 }, { angle_deg = 40, peak_nm = 395, "
+    "width_nm = 60, height = 0.7 } ]\n";
 const std::string beetle =
     "[material.b]\nshape = 0.91\n"
-    "picks = [ { angle_deg = 10, peak_nm = 530, width_nm = 110, height = 0.73 }, { angle_deg = 60, peak_nm = 460, width_nm = 110, height = 1.0 } ]\n";
+    "picks = [ { angle_deg = 10, peak_nm = 530, width_nm = 110, height = 0.73 }, { angle_deg = 60, peak_nm = 460, "
+    "width_nm = 110, height = 1.0 } ]\n";
 
 class BakedLut1D : public ::testing::TestWithParam<ShaderVariant> {};
 
@@ -75,12 +80,13 @@ TEST_P(BakedLut1D, AShaderFetchesTheCoresOwnValueAtTenThousandCosines) {
     for (const std::string& scene : {morpho, beetle}) {
         for (const AxisKind& kind : axis_kinds()) {
             const Baked baked = bake_and_read(scene + "[lut.a]\nsize = 512\nx = \"" + std::string(kind.name) + "\"\n");
-            const auto fetched = fetch(baked, GetParam(), "nacre_fetch(LUT, nacre_" + std::string(kind.name) + "(value.x))");
+            const auto fetched =
+                fetch(baked, GetParam(), "nacre_fetch(LUT, nacre_" + std::string(kind.name) + "(value.x))");
             const double error = largest_error(baked, fetched, random_inputs(), [&](const auto& input) {
                 return std::array<double, 2>{kind.coordinate(static_cast<double>(input[0])), 0.0};
             });
-            // cos and theta waste texels where the colour does not change: their own error, seen in exact arithmetic, is
-            // what linear interpolation of 512 texels leaves.
+            // cos and theta waste texels where the colour does not change: their own error, seen in exact arithmetic,
+            // is what linear interpolation of 512 texels leaves.
             EXPECT_LE(error, tolerance) << kind.name;
             RecordProperty(std::string(kind.name), std::to_string(error));
         }
@@ -91,24 +97,32 @@ TEST_P(BakedLut1D, DefaultLutOfAShippedSceneKeepsTheContract) {
     const Baked baked = bake_and_read(beetle);
     ASSERT_EQ(baked.stored.width(), 256);
     const auto fetched = fetch(baked, GetParam(), "nacre_fetch(LUT, nacre_sqrt_cos_theta(value.x))");
-    EXPECT_LE(largest_error(baked, fetched, random_inputs(), [](const auto& input) {
-                  return std::array<double, 2>{std::sqrt(static_cast<double>(input[0])), 0.0};
-              }), tolerance);
+    EXPECT_LE(largest_error(baked, fetched, random_inputs(),
+                            [](const auto& input) {
+                                return std::array<double, 2>{std::sqrt(static_cast<double>(input[0])), 0.0};
+                            }),
+              tolerance);
 }
 
 TEST_P(BakedLut1D, TwoDimensionalLutIsFetchedOverTheAngleAndTheParameter) {
-    const Baked baked = bake_and_read(beetle + "[lut.a]\ny = { parameter = \"width_nm\", from = 40, to = 200 }\nsize = [256, 256]\n");
+    const Baked baked =
+        bake_and_read(beetle + "[lut.a]\ny = { parameter = \"width_nm\", from = 40, to = 200 }\nsize = [256, 256]\n");
     for (const bool first_row_at_v_1 : {false, true}) {
-        const auto fetched = fetch(baked, GetParam(),
-                                   "nacre_fetch(LUT, nacre_sqrt_cos_theta(value.x), nacre_parameter(40.0 + 160.0 * value.y, 40.0, 200.0))",
-                                   {first_row_at_v_1, false});
-        EXPECT_LE(largest_error(baked, fetched, random_inputs(), [](const auto& input) {
-                      return std::array<double, 2>{std::sqrt(static_cast<double>(input[0])), static_cast<double>(input[1])};
-                  }), tolerance);
+        const auto fetched = fetch(
+            baked, GetParam(),
+            "nacre_fetch(LUT, nacre_sqrt_cos_theta(value.x), nacre_parameter(40.0 + 160.0 * value.y, 40.0, 200.0))",
+            {first_row_at_v_1, false});
+        EXPECT_LE(largest_error(baked, fetched, random_inputs(),
+                                [](const auto& input) {
+                                    return std::array<double, 2>{std::sqrt(static_cast<double>(input[0])),
+                                                                 static_cast<double>(input[1])};
+                                }),
+                  tolerance);
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Variants, BakedLut1D, ::testing::Values(ShaderVariant::glsl_es_300, ShaderVariant::glsl_450, ShaderVariant::hlsl));
+INSTANTIATE_TEST_SUITE_P(Variants, BakedLut1D,
+                         ::testing::Values(ShaderVariant::glsl_es_300, ShaderVariant::glsl_450, ShaderVariant::hlsl));
 
 }  // namespace
 }  // namespace nacre::testing

@@ -46,15 +46,16 @@ TEST(LutFile, ComesBackWithItsHeaderAndTheFirstRowFirst) {
 }
 
 TEST(LutFile, HalfIsRoundedToNearestTiesToEven) {
-    EXPECT_EQ(stored_value(1.0 / 3.0, PixelFormat::half_float), 1365.0 / 4096.0);  // 0x3555, by hand
-    EXPECT_EQ(stored_value(1.0 + 1.0 / 2048.0, PixelFormat::half_float), 1.0);                // a tie: to even
+    EXPECT_EQ(stored_value(1.0 / 3.0, PixelFormat::half_float), 1365.0 / 4096.0);              // 0x3555, by hand
+    EXPECT_EQ(stored_value(1.0 + 1.0 / 2048.0, PixelFormat::half_float), 1.0);                 // a tie: to even
     EXPECT_EQ(stored_value(1.0 + 3.0 / 2048.0, PixelFormat::half_float), 1.0 + 2.0 / 1024.0);  // the other tie
     EXPECT_EQ(write_and_read(PixelFormat::half_float).image.at(0, 0).b, 1365.0 / 4096.0);
 }
 
 TEST(LutFile, OnlyFormsThatEveryEngineReadsAreWritten) {
     const test::TemporaryFolder folder;
-    const auto input = OIIO::ImageInput::open(folder.file("a.exr", encode_lut(gradient(), PixelFormat::half_float, header)));
+    const auto input =
+        OIIO::ImageInput::open(folder.file("a.exr", encode_lut(gradient(), PixelFormat::half_float, header)));
     ASSERT_TRUE(input);
     const OIIO::ImageSpec& spec = input->spec();
     EXPECT_EQ(spec.get_string_attribute("compression"), "none");

@@ -15,10 +15,10 @@ struct ProgramResult {
 };
 
 struct ProgramOptions {
-    std::filesystem::path folder;                                   ///< working directory; empty: this process's
-    std::vector<std::pair<std::string, std::string>> environment;   ///< set on top of ours; OCIO is unset unless named
-    std::function<void()> in_child;                                 ///< runs in the child before the program starts
-    std::filesystem::path out_file;                                 ///< where standard output goes; empty: captured
+    std::filesystem::path folder;                                  ///< working directory; empty: this process's
+    std::vector<std::pair<std::string, std::string>> environment;  ///< set on top of ours; OCIO is unset unless named
+    std::function<void()> in_child;                                ///< runs in the child before the program starts
+    std::filesystem::path out_file;                                ///< where standard output goes; empty: captured
 };
 
 /// Runs the program that this build made.

@@ -12,7 +12,8 @@ namespace {
 
 const AxisKind* find_kind(std::string_view name) {
     const auto kinds = axis_kinds();
-    const auto found = std::find_if(kinds.begin(), kinds.end(), [&](const AxisKind& kind) { return kind.name == name; });
+    const auto found =
+        std::find_if(kinds.begin(), kinds.end(), [&](const AxisKind& kind) { return kind.name == name; });
     return found == kinds.end() ? nullptr : &*found;
 }
 

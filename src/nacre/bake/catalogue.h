@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "nacre/bake/gamut.h"
-#include "nacre/bake/table.h"
 #include "nacre/bake/names.h"
+#include "nacre/bake/table.h"
 #include "nacre/bake/text.h"
 #include "nacre/colour/adaptation.h"
 #include "nacre/colour/observer.h"
@@ -45,6 +45,11 @@ inline constexpr std::array gamut_words{
     Word<Gamut>{"keep", Gamut::keep, "negative components stay, and are counted"},
     Word<Gamut>{"clip", Gamut::clip, "negative components become 0"},
     Word<Gamut>{"compress", Gamut::compress, "mixed with grey of the same luminance until nothing is negative"},
+};
+/// The same for pictures, which have to show something.
+inline constexpr std::array swatch_gamut_words{
+    Word<Gamut>{"compress", Gamut::compress, "bent into what sRGB shows, so that neighbours stay distinct"},
+    Word<Gamut>{"clip", Gamut::clip, "cut at what the display shows"},
 };
 inline constexpr std::array format_words{
     Word<PixelFormat>{"half", PixelFormat::half_float, "16 bits per component"},
@@ -85,7 +90,8 @@ auto meaning_of(const Words& words, std::string_view what, std::string_view name
     for (const auto& word : words) {
         if (word.name == name) return word.meaning;
     }
-    table.fail(where, "unknown " + std::string(what) + " " + in_quotes(name) + "; known: " + comma_separated(names_of(words)));
+    table.fail(where,
+               "unknown " + std::string(what) + " " + in_quotes(name) + "; known: " + comma_separated(names_of(words)));
 }
 
 /// The same for a key of a table; the list's first word if the key is missing.

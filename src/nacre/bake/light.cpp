@@ -20,7 +20,8 @@ void read_range(const Table& table, LightSettings& settings) {
     const Value* range = table.find("range_nm");
     if (range == nullptr) return;
     const Value::Array& ends = table.checked_array("range_nm", *range);
-    if (ends.size() != 2) table.fail(range->where, "range_nm has " + std::to_string(ends.size()) + " numbers; give [first, last]");
+    if (ends.size() != 2)
+        table.fail(range->where, "range_nm has " + std::to_string(ends.size()) + " numbers; give [first, last]");
     settings.first_nm = table.checked_integer("range_nm", ends[0], allowed_nm);
     settings.last_nm = table.checked_integer("range_nm", ends[1], allowed_nm);
     if (settings.first_nm >= settings.last_nm) {
@@ -35,14 +36,16 @@ SampledCurve read_inline_curve(const Table& table) {
         std::vector<double> result;
         const Value* value = table.find(key);
         if (value == nullptr) table.fail(table.where(), std::string(key) + " is missing; give an array of numbers");
-        for (const Value& element : table.checked_array(key, *value)) result.push_back(table.checked_number(key, element, allowed));
+        for (const Value& element : table.checked_array(key, *value))
+            result.push_back(table.checked_number(key, element, allowed));
         return result;
     };
     SampledCurve curve{numbers("wavelength_nm", any_wavelength), numbers("power", any_power)};
-    if (curve.wavelength_nm.size() != curve.value.size() || curve.value.size() < 2 || curve.value.size() > most_samples) {
-        table.fail(table.where(), "wavelength_nm has " + std::to_string(curve.wavelength_nm.size()) + " numbers and power " +
-                                      std::to_string(curve.value.size()) + "; allowed: as many of each, 2 to " +
-                                      std::to_string(most_samples));
+    if (curve.wavelength_nm.size() != curve.value.size() || curve.value.size() < 2 ||
+        curve.value.size() > most_samples) {
+        table.fail(table.where(), "wavelength_nm has " + std::to_string(curve.wavelength_nm.size()) +
+                                      " numbers and power " + std::to_string(curve.value.size()) +
+                                      "; allowed: as many of each, 2 to " + std::to_string(most_samples));
     }
     if (std::adjacent_find(curve.wavelength_nm.begin(), curve.wavelength_nm.end(), std::greater_equal<>()) !=
         curve.wavelength_nm.end()) {
@@ -85,7 +88,9 @@ void read_illuminant(const Table& table, LightSettings& settings, const CurveRea
 // A table of the user's may be anything: it must cover the range, have light in it, and a white that can be adapted.
 void check_power(const Table& table, const LightSettings& settings) {
     const auto& [nm, power] = settings.power;
-    const auto fail = [&](const std::string& message) { table.fail_at("illuminant", "illuminant " + in_quotes(settings.illuminant) + " " + message); };
+    const auto fail = [&](const std::string& message) {
+        table.fail_at("illuminant", "illuminant " + in_quotes(settings.illuminant) + " " + message);
+    };
     if (nm.front() > settings.first_nm || nm.back() < settings.last_nm) {
         fail("covers " + number_text(nm.front()) + " to " + number_text(nm.back()) + " nm; range_nm needs " +
              std::to_string(settings.first_nm) + " to " + std::to_string(settings.last_nm) + " nm");
@@ -135,8 +140,9 @@ std::string light_toml(const LightSettings& settings) {
             for (const double number : numbers) text += (text.empty() ? "" : ", ") + number_text(number);
             return "[" + text + "]";
         };
-        illuminant = "{ name = " + toml_string(settings.illuminant) + ", wavelength_nm = " +
-                     list(settings.power.wavelength_nm) + ", power = " + list(settings.power.value) + " }";
+        illuminant = "{ name = " + toml_string(settings.illuminant) +
+                     ", wavelength_nm = " + list(settings.power.wavelength_nm) +
+                     ", power = " + list(settings.power.value) + " }";
     } else {
         illuminant = toml_string(settings.illuminant);
     }

@@ -47,8 +47,9 @@ std::vector<Parameter> palette_parameters(const Palette& palette) {
     for (std::size_t i = 0; i < palette.picks.size(); ++i) {
         const std::string prefix = "picks[" + std::to_string(i) + "].";
         const std::string of_pick = " of pick " + std::to_string(i);
-        parameters.push_back({prefix + "angle_deg", "angle" + of_pick, allowed_angle,
-                              [i](Mechanism& mechanism, double value) { palette_of(mechanism).picks[i].angle_deg = value; }});
+        parameters.push_back(
+            {prefix + "angle_deg", "angle" + of_pick, allowed_angle,
+             [i](Mechanism& mechanism, double value) { palette_of(mechanism).picks[i].angle_deg = value; }});
         for (const PickParameter& parameter : pick_parameters) {
             const auto member = parameter.member;
             parameters.push_back({prefix + std::string(parameter.key), std::string(parameter.description) + of_pick,
@@ -63,11 +64,13 @@ std::vector<Parameter> palette_parameters(const Palette& palette) {
 Palette read_palette(const Table& table) {
     Palette palette;
     const Value* picks = table.find("picks");
-    if (picks == nullptr) table.fail(table.where(), "picks is missing; give two or more, each { angle_deg, peak_nm, width_nm, height }");
+    if (picks == nullptr)
+        table.fail(table.where(), "picks is missing; give two or more, each { angle_deg, peak_nm, width_nm, height }");
     const Value::Array& list = table.checked_array("picks", *picks);
     if (list.size() < 2 || list.size() > most_picks) {
-        table.fail(picks->where, "picks has " + std::to_string(list.size()) + (list.size() == 1 ? " entry" : " entries") +
-                                     "; allowed 2 to " + std::to_string(most_picks) +
+        table.fail(picks->where, "picks has " + std::to_string(list.size()) +
+                                     (list.size() == 1 ? " entry" : " entries") + "; allowed 2 to " +
+                                     std::to_string(most_picks) +
                                      " (the colour at one angle says nothing about the others)");
     }
     for (const Value& element : list) {
@@ -86,7 +89,8 @@ std::string palette_toml(const Palette& palette) {
     std::string text = "mechanism = \"palette\"\nshape = " + number_text(palette.shape) + "\npicks = [\n";
     for (const Pick& pick : palette.picks) {
         text += "    { angle_deg = " + number_text(pick.angle_deg) + ", peak_nm = " + number_text(pick.lobe.peak_nm) +
-                ", width_nm = " + number_text(pick.lobe.width_nm) + ", height = " + number_text(pick.lobe.height) + " },\n";
+                ", width_nm = " + number_text(pick.lobe.width_nm) + ", height = " + number_text(pick.lobe.height) +
+                " },\n";
     }
     return text + "]\n";
 }

@@ -25,10 +25,11 @@ constexpr int default_height = 64;
 // Names become file names on every system that an artist's files pass through.
 void check_name(const std::string& name, const Table& table, const Where& where) {
     const auto allowed = [](char c) {
-        return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '-' || c == '.';
+        return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '-' ||
+               c == '.';
     };
-    if (name.empty() || name.size() > longest_name || name.front() == '.' || name.front() == '-' || name.back() == '.' ||
-        !std::all_of(name.begin(), name.end(), allowed)) {
+    if (name.empty() || name.size() > longest_name || name.front() == '.' || name.front() == '-' ||
+        name.back() == '.' || !std::all_of(name.begin(), name.end(), allowed)) {
         table.fail(where, "the name " + in_quotes(name) + " cannot be a file's name; allowed are 1 to " +
                               std::to_string(longest_name) + " of A-Z a-z 0-9 _ - . (not first: - .)");
     }
@@ -37,8 +38,9 @@ void check_name(const std::string& name, const Table& table, const Where& where)
 int checked_size(const Table& table, std::string_view key, const Value& value) {
     const int size = table.checked_integer(key, value, allowed_size);
     if ((size & (size - 1)) != 0) {
-        table.fail(value.where, std::string(key) + " = " + std::to_string(size) + " is no power of two; allowed 2, 4, 8 ... " +
-                                    std::to_string(largest_lut_size) + " (engines rescale other sizes)");
+        table.fail(value.where, std::string(key) + " = " + std::to_string(size) +
+                                    " is no power of two; allowed 2, 4, 8 ... " + std::to_string(largest_lut_size) +
+                                    " (engines rescale other sizes)");
     }
     return size;
 }
@@ -68,7 +70,8 @@ public:
     Plan plan() {
         scene_.integer_or("nacre", allowed_version, 1);
         read_accuracy();
-        plan_.light = std::make_shared<const Light>(make_light(read_light(scene_.table("light"), wavelengths_, read_curve_)));
+        plan_.light =
+            std::make_shared<const Light>(make_light(read_light(scene_.table("light"), wavelengths_, read_curve_)));
         check_white();
         read_colour();
         read_materials();
@@ -94,16 +97,19 @@ private:
     void check_white() const {
         const Light& light = *plan_.light;
         if (light.settings.wavelengths && !(light.white().y > 0.5)) {
-            scene_.table("accuracy")->fail_at("wavelengths", "wavelengths = " + std::to_string(*light.settings.wavelengths) +
-                                                                 " miss all the light of illuminant " + in_quotes(light.settings.illuminant) +
-                                                                 "; give more of them");
+            scene_.table("accuracy")
+                ->fail_at("wavelengths", "wavelengths = " + std::to_string(*light.settings.wavelengths) +
+                                             " miss all the light of illuminant " +
+                                             in_quotes(light.settings.illuminant) + "; give more of them");
         }
         const Xyz adapted = adapt(light.adaptation, light.white());
         const Xyz d65 = xyz_from_chromaticity(d65_chromaticity);
-        const bool adapts = std::abs(adapted.x - d65.x) + std::abs(adapted.y - d65.y) + std::abs(adapted.z - d65.z) < 1e-9;
+        const bool adapts =
+            std::abs(adapted.x - d65.x) + std::abs(adapted.y - d65.y) + std::abs(adapted.z - d65.z) < 1e-9;
         if (light.settings.adaptation != Adaptation::none && !adapts) {
-            scene_.table("light")->fail_at("illuminant", "the white of illuminant " + in_quotes(light.settings.illuminant) +
-                                                             " cannot be adapted to D65; use adapt = \"none\" or a light with a broader spectrum");
+            scene_.table("light")->fail_at(
+                "illuminant", "the white of illuminant " + in_quotes(light.settings.illuminant) +
+                                  " cannot be adapted to D65; use adapt = \"none\" or a light with a broader spectrum");
         }
     }
 
@@ -145,15 +151,16 @@ private:
         const Value* value = table.find("material");
         if (value == nullptr) {
             if (plan_.materials.size() == 1) return plan_.materials.front();
-            table.fail(table.where(), "material is missing, and the scene has " + std::to_string(plan_.materials.size()) +
-                                          "; say which");
+            table.fail(table.where(), "material is missing, and the scene has " +
+                                          std::to_string(plan_.materials.size()) + "; say which");
         }
         const std::string& name = table.checked_text("material", *value);
         const auto found = material_index_.find(name);
         if (found != material_index_.end()) return plan_.materials[found->second];
         std::vector<std::string> known;
         for (const Material& material : plan_.materials) known.push_back(material.name);
-        table.fail(value->where, "unknown material " + in_quotes(name) + "; known: " + comma_separated(nearest_names(name, known, 5)));
+        table.fail(value->where, "unknown material " + in_quotes(name) +
+                                     "; known: " + comma_separated(nearest_names(name, known, 5)));
     }
 
     void read_luts() {
@@ -198,7 +205,8 @@ private:
     }
 
     static void check_axes_differ(const Job& job, const Table& table, const Where& where) {
-        if (job.x.is_angle() && job.y->is_angle()) table.fail(where, "x and y are both the angle; one of them has to be a parameter");
+        if (job.x.is_angle() && job.y->is_angle())
+            table.fail(where, "x and y are both the angle; one of them has to be a parameter");
         if (job.x.is_angle() || job.y->is_angle()) return;
         const std::string& x = job.x.parameter.name;
         const std::string& y = job.y->parameter.name;
@@ -218,7 +226,8 @@ private:
         const Size own = read_size(table);
         if (own.height && !job.y) table.fail_at("size", "size has two numbers, but there is no y axis; give one");
         job.width = own.width ? *own.width : size_.width.value_or(default_width);
-        if (job.y) job.height = own.height ? *own.height : own.width ? *own.width : size_.height.value_or(default_height);
+        if (job.y)
+            job.height = own.height ? *own.height : own.width ? *own.width : size_.height.value_or(default_height);
     }
 
     static void read_outputs(const Table& table, PlannedLut& lut) {
@@ -227,9 +236,11 @@ private:
         lut.outputs.clear();
         for (const std::string& name : table.texts("outputs")) {
             const LutOutput output = meaning_of(output_words, "output", name, table, value->where);
-            if (std::find(lut.outputs.begin(), lut.outputs.end(), output) == lut.outputs.end()) lut.outputs.push_back(output);
+            if (std::find(lut.outputs.begin(), lut.outputs.end(), output) == lut.outputs.end())
+                lut.outputs.push_back(output);
         }
-        if (lut.outputs.empty()) table.fail(value->where, "outputs is empty; known: " + comma_separated(names_of(output_words)));
+        if (lut.outputs.empty())
+            table.fail(value->where, "outputs is empty; known: " + comma_separated(names_of(output_words)));
     }
 
     void read_swatches() {
@@ -260,17 +271,21 @@ PlannedSwatch Planner::read_swatch(const Table& table, const Table::Entry& entry
     swatch.kind = meaning_of(swatch_words, "swatch", table.text("draw"), table, table.find("draw")->where);
     swatch.display = table.text_or("display", "");
     swatch.view = table.text_or("view", "");
+    swatch.gamut = read_word(table, "gamut", "gamut", swatch_gamut_words);
 
     if (swatch.kind == SwatchKind::strip || swatch.kind == SwatchKind::sphere) {
         if (const Value* value = table.find("lut")) {
             const std::string& name = table.checked_text("lut", *value);
-            const auto found = std::find_if(plan_.luts.begin(), plan_.luts.end(), [&](const PlannedLut& lut) { return lut.name == name; });
+            const auto found = std::find_if(plan_.luts.begin(), plan_.luts.end(),
+                                            [&](const PlannedLut& lut) { return lut.name == name; });
             if (found == plan_.luts.end()) {
                 std::vector<std::string> known;
                 for (const PlannedLut& lut : plan_.luts) known.push_back(lut.name);
-                table.fail(value->where, "unknown lut " + in_quotes(name) + "; known: " + comma_separated(nearest_names(name, known, 5)));
+                table.fail(value->where, "unknown lut " + in_quotes(name) +
+                                             "; known: " + comma_separated(nearest_names(name, known, 5)));
             }
-            if (table.find("material") != nullptr) table.fail_at("material", "a swatch shows a material or a lut; leave one of them out");
+            if (table.find("material") != nullptr)
+                table.fail_at("material", "a swatch shows a material or a lut; leave one of them out");
             swatch.jobs.push_back(found->job);
         }
     }
@@ -300,13 +315,16 @@ void Planner::check_outputs() const {
     std::map<std::string, Where> taken;
     const auto claim = [&](const std::string& file, const Where& where) {
         std::string key = file;
-        std::transform(key.begin(), key.end(), key.begin(), [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
+        std::transform(key.begin(), key.end(), key.begin(),
+                       [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
         const auto [first, is_new] = taken.emplace(key, where);
         if (is_new) return;
-        throw Error(where.text() + ": this would write " + file + ", and so would " + first->second.text() + "; rename one of them");
+        throw Error(where.text() + ": this would write " + file + ", and so would " + first->second.text() +
+                    "; rename one of them");
     };
     for (const PlannedLut& lut : plan_.luts) {
-        for (const LutOutput output : lut.outputs) claim(lut.name + "." + std::string(name_of(output_words, output)), lut.where);
+        for (const LutOutput output : lut.outputs)
+            claim(lut.name + "." + std::string(name_of(output_words, output)), lut.where);
     }
     for (const PlannedSwatch& swatch : plan_.swatches) claim(swatch.name + ".png", swatch.where);
 }

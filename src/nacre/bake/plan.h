@@ -19,7 +19,7 @@ struct Job {
     Axis x = default_axis();
     std::optional<Axis> y;
     int width = 256;
-    int height = 1;  ///< 1 without y
+    int height = 1;          ///< 1 without y
     double angle_deg = 0.0;  ///< where neither axis is the angle
 };
 
@@ -47,10 +47,11 @@ struct PlannedSwatch {
     std::string name;
     SwatchKind kind = SwatchKind::strip;
     std::string title;
-    std::vector<Job> jobs;          ///< plane, strip, sphere: one; palette: one per pick shown
-    std::vector<std::size_t> picks; ///< palette: which pick each job is about
-    std::string display;            ///< empty: the config's default
+    std::vector<Job> jobs;           ///< plane, strip, sphere: one; palette: one per pick shown
+    std::vector<std::size_t> picks;  ///< palette: which pick each job is about
+    std::string display;             ///< empty: the config's default
     std::string view;
+    Gamut gamut = Gamut::compress;  ///< compress or clip: how colours that an sRGB display lacks are shown
     Where where;
 };
 

@@ -126,7 +126,7 @@ Swatch draw_plane(const PlannedSwatch& planned) {
     draw_title(swatch, planned.title, job, area.left - 10, area.left + area.width);
     draw_frame(swatch, area);
     draw_x_axis(swatch, area, job.x, "peak wavelength (nm)");
-    draw_y_axis(swatch, area, *job.y, "angle θ");
+    draw_y_axis(swatch, area, *job.y, "angle");
     const auto* palette = std::get_if<Palette>(&job.material.mechanism);
     if (palette == nullptr) return swatch;
     draw_plane_clamps(swatch, *palette, job, area);
@@ -235,7 +235,7 @@ Swatch draw_sphere(const PlannedSwatch& planned) {
     Swatch swatch = blank(sphere_side, sphere_side);
     swatch.panels.push_back({0, 0, draw_ball(table, exposure, ball, sphere_side, sphere_side)});
     draw_title(swatch, planned.title, job, 46, sphere_side - 46);
-    swatch.overlays.push_back(Text{"exposure ×" + rounded_text(exposure, 2),
+    swatch.overlays.push_back(Text{"exposure x " + rounded_text(exposure, 2),
                                    {sphere_side - 46.0, sphere_side - 40.0},
                                    note_px,
                                    Align::right,

@@ -6,18 +6,13 @@
 #include <glm/matrix.hpp>
 #include <glm/vec3.hpp>
 
+#include "nacre/colour/rgb_space.h"
+
 namespace nacre {
 namespace {
 
-// Columns X, Y, Z of the primaries (0.64, 0.33), (0.30, 0.60), (0.15, 0.06) under D65 (0.3127, 0.3290).
-const glm::dmat3 xyz_of_rec709 = [] {
-    const auto primary = [](double x, double y) { return glm::dvec3{x / y, 1.0, (1.0 - x - y) / y}; };
-    const glm::dmat3 primaries{primary(0.64, 0.33), primary(0.30, 0.60), primary(0.15, 0.06)};
-    const Xyz white = xyz_from_chromaticity(d65_chromaticity);
-    const glm::dvec3 amounts = glm::inverse(primaries) * glm::dvec3{white.x, white.y, white.z};
-    return glm::dmat3{amounts.x * primaries[0], amounts.y * primaries[1], amounts.z * primaries[2]};
-}();
-const glm::dmat3 rec709_of_xyz = glm::inverse(xyz_of_rec709);
+const glm::dmat3 rec709_of_xyz = xyz_to_rgb_matrix(*primaries_by_interop_id("lin_rec709_scene"));
+const glm::dmat3 xyz_of_rec709 = glm::inverse(rec709_of_xyz);
 
 // Distances from the largest component, as its fraction; 1 is the edge of the gamut.
 constexpr double untouched = 0.90;

@@ -74,7 +74,7 @@ double axis_coordinate(const Axis& axis, double value) {
 }
 
 std::string axis_title(const Axis& axis) {
-    if (axis.is_angle()) return "angle θ (" + std::string(axis.kind->name) + ")";
+    if (axis.is_angle()) return "angle (" + std::string(axis.kind->name) + ")";
     const std::string_view unit = axis.parameter.allowed.unit;
     if (unit.empty() || unit == "degrees") return axis.parameter.description;
     return axis.parameter.description + " (" + std::string(unit) + ")";

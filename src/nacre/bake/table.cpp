@@ -112,8 +112,8 @@ double Table::checked_number(std::string_view key, const Value& value, const All
     // Written so that NaN fails too.
     if (!(number >= allowed.low && number <= allowed.high)) {
         const std::string_view complaint = std::isfinite(number) ? "is out of range" : "is not a finite number";
-        fail(value.where,
-             std::string(key) + " = " + value.text() + " " + std::string(complaint) + "; allowed " + interval_text(allowed));
+        fail(value.where, std::string(key) + " = " + value.text() + " " + std::string(complaint) + "; allowed " +
+                              interval_text(allowed));
     }
     return number;
 }

@@ -6,11 +6,11 @@ namespace nacre {
 namespace {
 
 // GLM stores columns: the transpose lets the rows be read as they are printed.
-const glm::dmat3 bradford_cones = glm::transpose(glm::dmat3(0.8951, 0.2664, -0.1614,   //
-                                                            -0.7502, 1.7135, 0.0367,   //
+const glm::dmat3 bradford_cones = glm::transpose(glm::dmat3(0.8951, 0.2664, -0.1614,  //
+                                                            -0.7502, 1.7135, 0.0367,  //
                                                             0.0389, -0.0685, 1.0296));
-const glm::dmat3 cat16_cones = glm::transpose(glm::dmat3(0.401288, 0.650173, -0.051461,   //
-                                                         -0.250268, 1.204414, 0.045854,   //
+const glm::dmat3 cat16_cones = glm::transpose(glm::dmat3(0.401288, 0.650173, -0.051461,  //
+                                                         -0.250268, 1.204414, 0.045854,  //
                                                          -0.002079, 0.048952, 0.953127));
 
 }  // namespace

@@ -152,8 +152,10 @@ Xyz lobe_to_xyz(const TristimulusWeights& weights, double peak_nm, double width_
         const Phasor half = small_phasor(0.5 * per_nm * before);
         cells.first_phase = {2.0 * half.sine * half.cosine, 2.0 * half.sine * half.sine - 1.0};
         if (before > 0.0) {
-            add_piece(weights, make_piece(first - 1 - weights.first_nm, 1.0 - 0.5 * before, before, per_nm,
-                                          {half.sine, -half.cosine}), sum);
+            add_piece(
+                weights,
+                make_piece(first - 1 - weights.first_nm, 1.0 - 0.5 * before, before, per_nm, {half.sine, -half.cosine}),
+                sum);
         }
     } else {
         const double phase = per_nm * (first - peak_nm);
@@ -163,8 +165,8 @@ Xyz lobe_to_xyz(const TristimulusWeights& weights, double peak_nm, double width_
         const Phasor half = small_phasor(0.5 * per_nm * after);
         cells.last_phase = {2.0 * half.sine * half.cosine, 1.0 - 2.0 * half.sine * half.sine};
         if (after > 0.0) {
-            add_piece(weights, make_piece(last - weights.first_nm, 0.5 * after, after, per_nm, {half.sine, half.cosine}),
-                      sum);
+            add_piece(weights,
+                      make_piece(last - weights.first_nm, 0.5 * after, after, per_nm, {half.sine, half.cosine}), sum);
         }
     } else {
         const double phase = per_nm * (last - peak_nm);

@@ -39,7 +39,8 @@ double shape_difference(double shape, const Incidence& a, const Incidence& b) {
 
 PaletteCurve::PaletteCurve(const Palette& palette) : shape_(palette.shape) {
     assert(!palette.picks.empty());
-    for (const Pick& pick : palette.picks) nodes_.push_back({Incidence::from_degrees(pick.angle_deg), pick.lobe, 0.0, {}});
+    for (const Pick& pick : palette.picks)
+        nodes_.push_back({Incidence::from_degrees(pick.angle_deg), pick.lobe, 0.0, {}});
     std::stable_sort(nodes_.begin(), nodes_.end(),
                      [](const Node& a, const Node& b) { return a.at.theta_deg < b.at.theta_deg; });
     const auto same_angle = [](const Node& a, const Node& b) { return a.at.theta_deg == b.at.theta_deg; };
@@ -81,8 +82,8 @@ Lobe PaletteCurve::unclamped(const Incidence& incidence) const {
             lobe.*member = v1 + (t - 1.0) * m1;
         } else {
             const double rest = 1.0 - t;
-            lobe.*member = v0 * rest * rest * (1.0 + 2.0 * t) + v1 * t * t * (3.0 - 2.0 * t) +
-                           t * rest * (m0 * rest - m1 * t);
+            lobe.*member =
+                v0 * rest * rest * (1.0 + 2.0 * t) + v1 * t * t * (3.0 - 2.0 * t) + t * rest * (m0 * rest - m1 * t);
         }
     }
     return lobe;
@@ -117,8 +118,9 @@ ClampBounds palette_clamp_bounds(const Palette& palette) {
         }
         return outside_deg;
     };
-    const auto [first, last] = std::minmax_element(palette.picks.begin(), palette.picks.end(),
-                                                   [](const Pick& a, const Pick& b) { return a.angle_deg < b.angle_deg; });
+    const auto [first, last] =
+        std::minmax_element(palette.picks.begin(), palette.picks.end(),
+                            [](const Pick& a, const Pick& b) { return a.angle_deg < b.angle_deg; });
     return {crossing(first->angle_deg, 0.0), crossing(last->angle_deg, 90.0)};
 }
 

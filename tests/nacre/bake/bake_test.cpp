@@ -43,7 +43,8 @@ TEST(Bake, TexelIsTheValueAtItsIndexOverTheLastIndex) {
     const Image<Xyz> image = bake(job);
     for (int i = 0; i < 64; ++i) {
         const double cos_theta = std::pow(i / 63.0, 2);
-        const Xyz direct = adapt(job.light->adaptation, reflectance_xyz(morpho, Incidence::from_cos(cos_theta), *job.light));
+        const Xyz direct =
+            adapt(job.light->adaptation, reflectance_xyz(morpho, Incidence::from_cos(cos_theta), *job.light));
         EXPECT_NEAR(image.at(i, 0).z, direct.z, 1e-12);
         EXPECT_EQ(image.at(i, 0), exact_xyz(job, i / 63.0));
     }
@@ -64,7 +65,8 @@ TEST(Bake, ParameterOfOnePickMovesThatPickAlone) {
     job.x = parameter_axis(morpho, "picks[1].peak_nm", 395.0, 500.0);
     job.angle_deg = 0.0;
     const Image<Xyz> fixed = bake(job);
-    for (int x = 0; x < 8; ++x) EXPECT_EQ(fixed.at(x, 0), fixed.at(0, 0)) << "the second pick does not show at the first's angle";
+    for (int x = 0; x < 8; ++x)
+        EXPECT_EQ(fixed.at(x, 0), fixed.at(0, 0)) << "the second pick does not show at the first's angle";
 }
 
 TEST(Bake, EveryParameterThatIsOfferedSetsSomething) {

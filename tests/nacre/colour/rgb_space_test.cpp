@@ -14,7 +14,8 @@ TEST(RgbSpace, MatrixOfRec709IsTheOneThatCssColor4Derives) {
 }
 
 TEST(RgbSpace, WhiteOfEverySpaceIsOneOneOne) {
-    for (const char* id : {"lin_rec709_scene", "lin_p3d65_scene", "lin_rec2020_scene", "lin_adobergb_scene", "lin_ap0_scene", "lin_ap1_scene"}) {
+    for (const char* id : {"lin_rec709_scene", "lin_p3d65_scene", "lin_rec2020_scene", "lin_adobergb_scene",
+                           "lin_ap0_scene", "lin_ap1_scene"}) {
         const RgbPrimaries primaries = *primaries_by_interop_id(id);
         const Xyz white = xyz_from_chromaticity(primaries.white);
         const glm::dvec3 rgb = xyz_to_rgb_matrix(primaries) * glm::dvec3(white.x, white.y, white.z);

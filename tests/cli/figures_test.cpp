@@ -1,0 +1,45 @@
+// `nacre figures`: the paper's figures as data, scripts and plots.
+#include <gtest/gtest.h>
+
+#include "support/program.h"
+
+namespace nacre::test {
+namespace {
+
+TEST(Figures, DataScriptAndPlotOfEveryFigureAreWritten) {
+    const TemporaryFolder folder;
+    const ProgramResult result = run_nacre({"figures", "-o", folder.path().string()});
+    ASSERT_EQ(result.exit_code, 0) << result.err;
+    const std::vector<std::string> names = folder.names();
+    for (const std::string plot : {"figure5", "figure7", "figure8", "figure9", "figure14"}) {
+        EXPECT_TRUE(std::filesystem::exists(folder.path() / (plot + ".png"))) << plot;
+        EXPECT_TRUE(std::filesystem::exists(folder.path() / (plot + ".gp"))) << plot;
+    }
+    for (const std::string picture : {"figure11_morpho", "figure11_beetle", "figure12_morpho", "figure12_beetle"}) {
+        EXPECT_TRUE(std::filesystem::exists(folder.path() / (picture + ".png"))) << picture;
+        EXPECT_TRUE(std::filesystem::exists(folder.path() / (picture + ".csv"))) << picture;
+    }
+    for (const std::string& name : names) {
+        const std::string bytes = file_bytes(folder.path() / name);
+        EXPECT_GT(bytes.size(), 20u) << name;
+        if (name.ends_with(".csv")) EXPECT_EQ(bytes.rfind("# ", 0), 0u) << name << " says what it is";
+        if (name.ends_with(".png")) EXPECT_EQ(bytes.rfind("\x89PNG", 0), 0u) << name;
+    }
+}
+
+TEST(Figures, WithoutGnuplotTheErrorNamesThePackageAndNothingIsWritten) {
+    const TemporaryFolder folder;
+    const ProgramResult result =
+        run_nacre({"figures", "-o", "out"}, {folder.path(), {{"PATH", "/nonexistent"}}, {}, {}});
+    EXPECT_EQ(result.exit_code, 3);
+    EXPECT_NE(result.err.find("gnuplot-nox"), std::string::npos) << result.err;
+    std::size_t files = 0;
+    if (std::filesystem::exists(folder.path() / "out")) {
+        for (const auto& entry : std::filesystem::directory_iterator(folder.path() / "out"))
+            files += entry.exists() ? 1 : 0;
+    }
+    EXPECT_EQ(files, 0u);
+}
+
+}  // namespace
+}  // namespace nacre::test

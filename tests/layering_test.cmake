@@ -36,7 +36,6 @@ set(libraries
     "^OpenColorIO/=io"
     "^Imath/=io"
     "^OpenEXR/=io"
-    "^(ft2build|freetype/.*)\\.h=io"
     "^xxhash\\.h=io"
     "^nlohmann/=io,cli"
     "^CLI/=cli"
@@ -113,7 +112,7 @@ foreach(file IN LISTS files)
                          "src/${file}: the core knows the standard library, GLM and Highway only, not <${header}>")
                 endif()
             endif()
-        elseif(top STREQUAL "nacre")  # FreeType names its headers by macros, but who else?
+        elseif(top STREQUAL "nacre")  # a header named by a macro
             list(APPEND complaints "src/${file}: cannot tell what this includes: ${line}")
         endif()
     endforeach()

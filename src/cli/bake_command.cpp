@@ -15,6 +15,7 @@
 #include "io/output_folder.h"
 #include "io/swatch_png.h"
 #include "nacre/bake/names.h"
+#include "nacre/bake/output_names.h"
 #include "nacre/bake/swatch.h"
 #include "nacre/error.h"
 
@@ -198,13 +199,7 @@ Outcome run_task(const Task& task, OutputFolder& folder, bool force) {
 int report_dry_run(const std::vector<Task>& tasks, Console& console) {
     nlohmann::ordered_json json = nlohmann::ordered_json::array();
     for (const Task& task : tasks) {
-        std::vector<std::string> files;
-        if (task.lut != nullptr) {
-            for (const LutOutput output : task.lut->outputs)
-                files.push_back(task.lut->name + "." + std::string(name_of(output_words, output)));
-        } else {
-            files.push_back(task.swatch->name + ".png");
-        }
+        const auto files = task.lut != nullptr ? output_files(*task.lut) : output_files(*task.swatch);
         console.summary("would write " + comma_separated(files) +
                         (task.lut != nullptr ? "  " + size_text(task.lut->job) : ""));
         json.push_back({{"files", files}});

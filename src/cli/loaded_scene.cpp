@@ -1,9 +1,9 @@
 #include "cli/loaded_scene.h"
 
 #include <filesystem>
-#include <map>
 
 #include "io/scene_file.h"
+#include "nacre/bake/output_names.h"
 #include "nacre/error.h"
 
 namespace nacre {
@@ -16,25 +16,6 @@ ColourConfigChoice config_choice(const Plan& plan, const std::string& scene_path
     // A file that a scene names lies beside the scene.
     const auto file = std::filesystem::path(colour.config_where.file).parent_path() / colour.config;
     return {file.string(), colour.interchange, colour.config_where.text() + " [colour]"};
-}
-
-void check_output_names(const std::vector<LoadedScene>& scenes) {
-    std::map<std::string, std::string> taken;
-    const auto claim = [&](const std::string& name, const std::string& suffix, const Where& where) {
-        std::string key = name + suffix;
-        for (char& c : key) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-        const auto [first, is_new] = taken.emplace(key, where.text());
-        if (!is_new)
-            throw Error(where.text() + ": this would write " + name + suffix + ", and so would " + first->second +
-                        "; rename one of them");
-    };
-    for (const LoadedScene& scene : scenes) {
-        for (const PlannedLut& lut : scene.plan.luts) {
-            for (const LutOutput output : lut.outputs)
-                claim(lut.name, "." + std::string(name_of(output_words, output)), lut.where);
-        }
-        for (const PlannedSwatch& swatch : scene.plan.swatches) claim(swatch.name, ".png", swatch.where);
-    }
 }
 
 }  // namespace
@@ -65,8 +46,11 @@ LoadedScene load_scene(const std::string& path, const std::string& ocio, bool wa
 std::vector<LoadedScene> load_scenes(const std::vector<std::string>& paths, const std::string& ocio, bool want_swatches,
                                      Console& console) {
     std::vector<LoadedScene> scenes;
-    for (const std::string& path : paths) scenes.push_back(load_scene(path, ocio, want_swatches, console));
-    check_output_names(scenes);
+    OutputNames names;
+    for (const std::string& path : paths) {
+        scenes.push_back(load_scene(path, ocio, want_swatches, console));
+        names.claim(scenes.back().plan);
+    }
     return scenes;
 }
 

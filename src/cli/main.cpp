@@ -1,6 +1,7 @@
 // nacre: palette picks -> angle-to-RGB lookup textures. This file is the front door: it hands the command line to one
 // of the commands (one file each), and catches what they throw, once.
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <csignal>
 #include <exception>
 #include <iostream>
@@ -12,6 +13,7 @@
 #include "cli/console.h"
 #include "cli/stop_signal.h"
 #include "io/baked_lut.h"
+#include "nacre/bake/names.h"
 #include "nacre/error.h"
 
 namespace {
@@ -23,6 +25,12 @@ constexpr const char* footer =
     "\nExit codes: 0 all done; 1 some LUTs failed, the others were written; 2 the scene or the command line is wrong,\n"
     "nothing was written; 3 input or output; 4 verification not met; 143 stopped by SIGTERM.\n\n"
     "Example:\n  nacre bake configs/scenes/morpho.toml -o out\n";
+
+std::string known_commands(const std::vector<std::pair<CLI::App*, nacre::Command>>& commands) {
+    std::vector<std::string> names;
+    for (const auto& [subcommand, command] : commands) names.push_back(subcommand->get_name());
+    return nacre::comma_separated(names);
+}
 
 int run(int argc, char** argv) {
     CLI::App app(description, "nacre");
@@ -47,6 +55,13 @@ int run(int argc, char** argv) {
     add("snippet", "the shader code that fetches from a LUT", nacre::add_snippet_command);
     add("figures", "the figures of Park & Tsuruno 2014: data, gnuplot scripts and plots", nacre::add_figures_command);
 
+    // CLI11 would call a misspelt command a missing one.
+    const auto word = std::find_if(argv + 1, argv + argc, [](const char* argument) { return argument[0] != '-'; });
+    const auto is_word = [&](const auto& command) { return command.first->get_name() == *word; };
+    if (word != argv + argc && std::none_of(commands.begin(), commands.end(), is_word)) {
+        std::cerr << "nacre: unknown command " << nacre::in_quotes(*word) << "; known: " << known_commands(commands) << "\n";
+        return nacre::exit_wrong_input;
+    }
     try {
         app.parse(argc, argv);
     } catch (const CLI::Success& request) {

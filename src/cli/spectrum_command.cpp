@@ -98,9 +98,7 @@ private:
             if (candidate.name == name) return candidate;
             known.push_back(candidate.name);
         }
-        const auto near = nearest_names(name, known, 5);
-        throw Error(where + ": unknown material " + in_quotes(name) +
-                    "; known: " + comma_separated(near.empty() ? known : near));
+        throw Error(where + ": unknown material " + in_quotes(name) + "; known: " + known_like(name, known));
     }
 
     static void check_angle(double angle_deg, const std::string& where) {

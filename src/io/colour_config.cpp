@@ -103,7 +103,7 @@ std::string resolve_display(const OpenedConfig& opened, const std::string& displ
 std::string resolve_view(const OpenedConfig& opened, const std::string& display, const std::string& view,
                          const std::string& where) {
     const OCIO::ConstConfigRcPtr& config = opened.config;
-    const std::string wanted = view.empty() ? config->getDefaultView(display.c_str()) : view;
+    std::string wanted = view.empty() ? config->getDefaultView(display.c_str()) : view;
     const auto space = space_of_view(config, display, wanted);
     if (space && !space->isData()) return wanted;
     std::vector<std::string> usable;

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <fstream>
 #include <nlohmann/json.hpp>
 
@@ -219,6 +220,22 @@ TEST(Bake, ShippedLutsAreWhatTheirScenesMake) {
         ++compared;
     }
     EXPECT_EQ(compared, 14u);
+}
+
+// Programs that others wrote read the header: if one is missing, install openexr and openimageio-tools.
+TEST(Bake, ToolsOfOthersReadTheTextureAndShowItsMetadata) {
+    const TemporaryFolder folder;
+    folder.file("s.toml", two_picks);
+    ASSERT_EQ(bake(folder, {}).exit_code, 0);
+    const std::string lut = (folder.path() / "out/morpho.exr").string();
+    const std::string shown = (folder.path() / "shown").string();
+    for (const std::string tool : {"exrheader", "exrinfo -v", "oiiotool --info -v"}) {
+        ASSERT_EQ(std::system((tool + " " + lut + " > " + shown + " 2>&1").c_str()), 0) << tool << ": " << file_bytes(shown);
+        const std::string text = file_bytes(shown);
+        for (const std::string word : {"nacre:scene", "nacre:axisX", "colorInteropID", "chromaticities"}) {
+            EXPECT_NE(text.find(word), std::string::npos) << tool << " does not show " << word << "\n" << text;
+        }
+    }
 }
 
 TEST(Snippet, ShippedOnesAreWhatTheProgramPrints) {

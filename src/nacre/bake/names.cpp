@@ -73,8 +73,17 @@ std::vector<std::string> nearest_names(std::string_view wanted, std::span<const 
     return result;
 }
 
+std::string known_like(std::string_view wanted, std::span<const std::string> known) {
+    constexpr std::size_t a_few = 5;
+    const auto near = nearest_names(wanted, known, a_few);
+    if (!near.empty()) return comma_separated(near);
+    return comma_separated(known.first(std::min(known.size(), a_few))) + (known.size() > a_few ? ", ..." : "");
+}
+
 std::string in_quotes(std::string_view name) {
-    return '"' + std::string(name) + '"';
+    constexpr std::size_t longest = 60;
+    if (name.size() <= longest) return '"' + std::string(name) + '"';
+    return '"' + std::string(name.substr(0, longest)) + "...\"";
 }
 
 std::string comma_separated(std::span<const std::string> names) {

@@ -19,7 +19,10 @@ namespace nacre {
 std::vector<std::string> nearest_names(std::string_view wanted, std::span<const std::string> candidates,
                                        std::size_t max_count = 3);
 
-/// "name" with its quotes, as every message shows the user's words.
+/// What to offer behind "known: ": the nearest names, or where none is near the first few of all.
+std::string known_like(std::string_view wanted, std::span<const std::string> known);
+
+/// "name" with its quotes, as every message shows the user's words; cut after 60 bytes.
 std::string in_quotes(std::string_view name);
 
 /// "a, b, c"

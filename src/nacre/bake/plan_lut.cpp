@@ -1,0 +1,125 @@
+#include <algorithm>
+#include <cstddef>
+
+#include "nacre/bake/names.h"
+#include "nacre/bake/plan_tables.h"
+
+namespace nacre {
+namespace {
+
+constexpr Allowed allowed_size{2, largest_lut_size, "texels"};
+constexpr std::size_t longest_name = 100;
+constexpr Allowed allowed_angle{0.0, 90.0, "degrees"};
+
+int checked_size(const Table& table, std::string_view key, const Value& value) {
+    const int size = table.checked_integer(key, value, allowed_size);
+    if ((size & (size - 1)) != 0) {
+        table.fail(value.where, std::string(key) + " = " + std::to_string(size) +
+                                    " is no power of two; allowed 2, 4, 8 ... " + std::to_string(largest_lut_size) +
+                                    " (engines rescale other sizes)");
+    }
+    return size;
+}
+
+void check_axes_differ(const Job& job, const Table& table, const Where& where) {
+    if (job.x.is_angle() && job.y->is_angle())
+        table.fail(where, "x and y are both the angle; one of them has to be a parameter");
+    if (job.x.is_angle() || job.y->is_angle()) return;
+    const std::string& x = job.x.parameter.name;
+    const std::string& y = job.y->parameter.name;
+    const bool overlap = x == y || x.ends_with("]." + y) || y.ends_with("]." + x);
+    if (overlap) table.fail(where, "x and y both set " + y + "; give two different parameters");
+}
+
+void read_fixed_angle(const Table& table, Job& job) {
+    const bool has_angle = job.x.is_angle() || (job.y && job.y->is_angle());
+    const Value* value = table.find("angle_deg");
+    if (value == nullptr) return;
+    if (has_angle) table.fail(value->where, "angle_deg is fixed, but an axis is the angle; leave one of them out");
+    job.angle_deg = table.checked_number("angle_deg", *value, allowed_angle);
+}
+
+void read_job_size(const Table& table, const LutSize& size, Job& job) {
+    const LutSize own = read_lut_size(table);
+    if (own.height && !job.y) table.fail_at("size", "size has two numbers, but there is no y axis; give one");
+    job.width = own.width ? *own.width : size.width.value_or(default_lut_width);
+    if (job.y)
+        job.height = own.height ? *own.height : own.width ? *own.width : size.height.value_or(default_lut_height);
+}
+
+void read_outputs(const Table& table, PlannedLut& lut) {
+    const Value* value = table.find("outputs");
+    if (value == nullptr) return;
+    lut.outputs.clear();
+    for (const std::string& name : table.texts("outputs")) {
+        const LutOutput output = meaning_of(output_words, "output", name, table, value->where);
+        if (std::find(lut.outputs.begin(), lut.outputs.end(), output) == lut.outputs.end())
+            lut.outputs.push_back(output);
+    }
+    if (lut.outputs.empty())
+        table.fail(value->where, "outputs is empty; known: " + comma_separated(names_of(output_words)));
+}
+
+}  // namespace
+
+void check_name(const std::string& name, const Table& table, const Where& where) {
+    const auto allowed = [](char c) {
+        return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '-' ||
+               c == '.';
+    };
+    if (name.empty() || name.size() > longest_name || name.front() == '.' || name.front() == '-' ||
+        name.back() == '.' || !std::all_of(name.begin(), name.end(), allowed)) {
+        table.fail(where, "the name " + in_quotes(name) + " cannot be a file's name; allowed are 1 to " +
+                              std::to_string(longest_name) + " of A-Z a-z 0-9 _ - . (not first: - .)");
+    }
+}
+
+LutSize read_lut_size(const Table& table) {
+    const Value* value = table.find("size");
+    if (value == nullptr) return {};
+    if (!std::holds_alternative<Value::Array>(value->data)) return {checked_size(table, "size", *value), std::nullopt};
+    const Value::Array& sides = table.checked_array("size", *value);
+    if (sides.size() != 2) {
+        table.fail(value->where, "size has " + std::to_string(sides.size()) + " numbers; give one, or [width, height]");
+    }
+    return {checked_size(table, "size", sides[0]), checked_size(table, "size", sides[1])};
+}
+
+const Material& material_of(const Table& table, const std::vector<Material>& materials) {
+    const Value* value = table.find("material");
+    if (value == nullptr) {
+        if (materials.size() == 1) return materials.front();
+        table.fail(table.where(),
+                   "material is missing, and the scene has " + std::to_string(materials.size()) + "; say which");
+    }
+    const std::string& name = table.checked_text("material", *value);
+    const auto found =
+        std::find_if(materials.begin(), materials.end(), [&](const Material& m) { return m.name == name; });
+    if (found != materials.end()) return *found;
+    std::vector<std::string> known;
+    for (const Material& material : materials) known.push_back(material.name);
+    table.fail(value->where, "unknown material " + in_quotes(name) + "; known: " + known_like(name, known));
+}
+
+PlannedLut read_lut(const Table& table, const Table::Entry& entry, const std::vector<Material>& materials,
+                    const std::shared_ptr<const Light>& light, const LutSize& size) {
+    PlannedLut lut;
+    lut.name = entry.key;
+    lut.where = entry.key_where;
+    Job& job = lut.job;
+    job.material = material_of(table, materials);
+    job.light = light;
+    if (const Value* x = table.find("x")) job.x = read_axis(table, "x", *x, job.material.mechanism);
+    if (const Value* y = table.find("y")) {
+        job.y = read_axis(table, "y", *y, job.material.mechanism);
+        check_axes_differ(job, table, y->where);
+    }
+    read_fixed_angle(table, job);
+    read_job_size(table, size, job);
+    lut.format = read_word(table, "format", "format", format_words);
+    read_outputs(table, lut);
+    table.expect_all_read();
+    return lut;
+}
+
+}  // namespace nacre

@@ -1,0 +1,62 @@
+#include <algorithm>
+#include <cstddef>
+
+#include "nacre/bake/names.h"
+#include "nacre/bake/plan_tables.h"
+#include "nacre/bake/swatch.h"
+
+namespace nacre {
+namespace {
+
+// The LUT that the key `lut` names.
+const PlannedLut& lut_of(const Table& table, const Value& value, const Plan& plan) {
+    const std::string& name = table.checked_text("lut", value);
+    const auto found =
+        std::find_if(plan.luts.begin(), plan.luts.end(), [&](const PlannedLut& lut) { return lut.name == name; });
+    if (found != plan.luts.end()) return *found;
+    std::vector<std::string> known;
+    for (const PlannedLut& lut : plan.luts) known.push_back(lut.name);
+    table.fail(value.where, "unknown lut " + in_quotes(name) + "; known: " + known_like(name, known));
+}
+
+void show_lut(const Table& table, const Value& value, const Plan& plan, PlannedSwatch& swatch) {
+    if (table.find("material") != nullptr) {
+        table.fail_at("material", "a swatch shows a material or a lut; leave one of them out");
+    }
+    swatch.jobs = {lut_of(table, value, plan).job};
+}
+
+void show_material(const Table& table, const Plan& plan, PlannedSwatch& swatch) {
+    swatch.jobs = swatch_jobs(swatch.kind, material_of(table, plan.materials), plan.light);
+    for (std::size_t i = 0; i < swatch.jobs.size(); ++i) swatch.picks.push_back(i);
+    if (swatch.kind != SwatchKind::palette) return;
+    const Allowed allowed_pick{0.0, static_cast<double>(swatch.jobs.size() - 1)};
+    const int pick = table.integer_or("pick", allowed_pick, -1);
+    if (pick < 0) return;
+    swatch.picks = {static_cast<std::size_t>(pick)};
+    swatch.jobs = {Job(swatch.jobs[swatch.picks.front()])};
+}
+
+}  // namespace
+
+PlannedSwatch read_swatch(const Table& table, const Table::Entry& entry, const Plan& plan) {
+    PlannedSwatch swatch;
+    swatch.name = entry.key;
+    swatch.where = entry.key_where;
+    swatch.kind = meaning_of(swatch_words, "swatch", table.text("draw"), table, table.find("draw")->where);
+    swatch.display = table.text_or("display", "");
+    swatch.view = table.text_or("view", "");
+    swatch.gamut = read_word(table, "gamut", "gamut", swatch_gamut_words);
+    const bool may_show_lut = swatch.kind == SwatchKind::strip || swatch.kind == SwatchKind::sphere;
+    const Value* lut = may_show_lut ? table.find("lut") : nullptr;
+    if (lut != nullptr) {
+        show_lut(table, *lut, plan, swatch);
+    } else {
+        show_material(table, plan, swatch);
+    }
+    swatch.title = table.text_or("title", swatch.jobs.front().material.name);
+    table.expect_all_read();
+    return swatch;
+}
+
+}  // namespace nacre

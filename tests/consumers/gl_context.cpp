@@ -28,6 +28,15 @@ namespace {
     throw std::runtime_error(message.str());
 }
 
+/// EGL's first device, which glvnd and Mesa order so that cards come before software; not initialised.
+EGLDisplay first_device() {
+    const auto query = reinterpret_cast<PFNEGLQUERYDEVICESEXTPROC>(eglGetProcAddress("eglQueryDevicesEXT"));
+    EGLDeviceEXT device = EGL_NO_DEVICE_EXT;
+    EGLint count = 0;
+    if (query == nullptr || query(1, &device, &count) != EGL_TRUE || count == 0) return EGL_NO_DISPLAY;
+    return eglGetPlatformDisplay(EGL_PLATFORM_DEVICE_EXT, device, nullptr);
+}
+
 std::string gl_string(GLenum name) {
     const GLubyte* text = glGetString(name);
     return text == nullptr ? "unknown" : reinterpret_cast<const char*>(text);
@@ -36,8 +45,14 @@ std::string gl_string(GLenum name) {
 }  // namespace
 
 GlContext::GlContext(GlApi api) {
-    if (std::getenv("NACRE_TEST_HARDWARE_GL") == nullptr) setenv("LIBGL_ALWAYS_SOFTWARE", "1", 1);
-    display_ = eglGetPlatformDisplay(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr);
+    if (std::getenv("NACRE_TEST_HARDWARE_GL") == nullptr) {
+        setenv("LIBGL_ALWAYS_SOFTWARE", "1", 1);
+    } else {
+        display_ = first_device();
+    }
+    if (display_ == EGL_NO_DISPLAY) {
+        display_ = eglGetPlatformDisplay(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr);
+    }
     if (display_ == EGL_NO_DISPLAY) fail("no EGL display of the platform EGL_MESA_platform_surfaceless");
     if (eglInitialize(display_, nullptr, nullptr) != EGL_TRUE) fail("eglInitialize failed");
     try {

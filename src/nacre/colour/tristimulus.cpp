@@ -45,10 +45,10 @@ struct Piece {
     double odd;    // integral of the cosine times the distance from the middle
 };
 
-// @param middle  the lobe's phase at the piece's middle
-Piece make_piece(int cell, double along, double length, double per_nm, Phasor middle) {
-    const double x = 0.5 * per_nm * length;
-    const Phasor half = x < small_angle ? small_phasor(x) : Phasor{std::cos(x), std::sin(x)};
+// @param x       half the phase that the piece spans
+// @param half    cosine and sine of x
+// @param middle  of the lobe's phase at the piece's middle
+Piece make_piece(int cell, double along, double length, double x, Phasor half, Phasor middle) {
     const double j0 = x > 0.0 ? half.sine / x : 1.0;
     const double j1 = spherical_j1(x, half.sine, half.cosine);
     return {cell, along, length * j0 * middle.cosine, -0.5 * length * length * j1 * middle.sine};
@@ -122,9 +122,10 @@ Xyz lobe_to_xyz_per_cell(const TristimulusWeights& weights, double peak_nm, doub
         const double to_nm = std::min(node_nm + 1.0, support.to_nm);
         const double middle_nm = 0.5 * (from_nm + to_nm);
         const double phase = per_nm * (middle_nm - peak_nm);
+        const double x = 0.5 * per_nm * (to_nm - from_nm);
         add_piece(weights,
-                  make_piece(static_cast<int>(node_nm) - weights.first_nm, middle_nm - node_nm, to_nm - from_nm, per_nm,
-                             {std::cos(phase), std::sin(phase)}),
+                  make_piece(static_cast<int>(node_nm) - weights.first_nm, middle_nm - node_nm, to_nm - from_nm, x,
+                             {std::cos(x), std::sin(x)}, {std::cos(phase), std::sin(phase)}),
                   sum);
         from_nm = to_nm;
     }
@@ -149,24 +150,26 @@ Xyz lobe_to_xyz(const TristimulusWeights& weights, double peak_nm, double width_
     WholeCells cells{first, last, per_nm, {}, {}};
     // At a lobe's own end its phase is -pi/2 (left) or pi/2 (right), so that all phases near it are small angles away.
     if (peak_nm - 0.5 * width_nm >= weights.first_nm) {
-        const Phasor half = small_phasor(0.5 * per_nm * before);
+        const double x = 0.5 * per_nm * before;
+        const Phasor half = small_phasor(x);
         cells.first_phase = {2.0 * half.sine * half.cosine, 2.0 * half.sine * half.sine - 1.0};
         if (before > 0.0) {
-            add_piece(
-                weights,
-                make_piece(first - 1 - weights.first_nm, 1.0 - 0.5 * before, before, per_nm, {half.sine, -half.cosine}),
-                sum);
+            add_piece(weights,
+                      make_piece(first - 1 - weights.first_nm, 1.0 - 0.5 * before, before, x, half,
+                                 {half.sine, -half.cosine}),
+                      sum);
         }
     } else {
         const double phase = per_nm * (first - peak_nm);
         cells.first_phase = {std::cos(phase), std::sin(phase)};
     }
     if (peak_nm + 0.5 * width_nm <= weights.last_nm) {
-        const Phasor half = small_phasor(0.5 * per_nm * after);
+        const double x = 0.5 * per_nm * after;
+        const Phasor half = small_phasor(x);
         cells.last_phase = {2.0 * half.sine * half.cosine, 1.0 - 2.0 * half.sine * half.sine};
         if (after > 0.0) {
             add_piece(weights,
-                      make_piece(last - weights.first_nm, 0.5 * after, after, per_nm, {half.sine, half.cosine}), sum);
+                      make_piece(last - weights.first_nm, 0.5 * after, after, x, half, {half.sine, half.cosine}), sum);
         }
     } else {
         const double phase = per_nm * (last - peak_nm);

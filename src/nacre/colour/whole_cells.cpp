@@ -15,7 +15,7 @@ namespace HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
 // Sum of weight[i] * cos(phase + i * per_nm) for i in [0, count), for three weights at once.
-// Two registers of cosines turn by a fixed angle per step; two, because one would wait for its own result.
+// Two registers of cosines step on by a fixed angle; two, because one would wait for its own result.
 Xyz cosine_sum(const double* HWY_RESTRICT x, const double* HWY_RESTRICT y, const double* HWY_RESTRICT z, size_t count,
                double cos_phase, double sin_phase, double cos_step, double sin_step) {
     const hn::ScalableTag<double> d;
@@ -46,10 +46,22 @@ Xyz cosine_sum(const double* HWY_RESTRICT x, const double* HWY_RESTRICT y, const
     const auto next_cos = hn::Set(d, turn_c);
     const auto next_sin = hn::Set(d, turn_s);
     auto cos_b = hn::NegMulAdd(sin_a, next_sin, hn::Mul(cos_a, next_cos));
-    auto sin_b = hn::MulAdd(cos_a, next_sin, hn::Mul(sin_a, next_cos));
+    const auto sin_b = hn::MulAdd(cos_a, next_sin, hn::Mul(sin_a, next_cos));
     double_turn();
+
+    // From here on cosines alone: c(n + 1) - c(n) = c(n) - c(n - 1) - 4 sin^2(turn / 2) c(n). Reinsch's form of the
+    // three-term recurrence carries the difference, and so keeps its digits however small the turn is.
+    const double four_sin2 = turn_c > 0.0 ? 2.0 * turn_s * turn_s / (1.0 + turn_c) : 2.0 * (1.0 - turn_c);
+    const auto bend = hn::Set(d, four_sin2);
     const auto turn_cos = hn::Set(d, turn_c);
     const auto turn_sin = hn::Set(d, turn_s);
+    // Difference to the step before, from the cosine of the step before.
+    const auto difference = [&](auto cosine, auto sine) {
+        const auto minus_turned = hn::MulAdd(sine, turn_sin, hn::Mul(cosine, turn_cos));
+        return hn::Sub(cosine, minus_turned);
+    };
+    auto step_a = difference(cos_a, sin_a);
+    auto step_b = difference(cos_b, sin_b);
 
     auto sum_x = hn::Zero(d);
     auto sum_y = hn::Zero(d);
@@ -62,12 +74,10 @@ Xyz cosine_sum(const double* HWY_RESTRICT x, const double* HWY_RESTRICT y, const
         sum_x = hn::MulAdd(hn::LoadU(d, x + i + lanes), cos_b, sum_x);
         sum_y = hn::MulAdd(hn::LoadU(d, y + i + lanes), cos_b, sum_y);
         sum_z = hn::MulAdd(hn::LoadU(d, z + i + lanes), cos_b, sum_z);
-        const auto next_a = hn::NegMulAdd(sin_a, turn_sin, hn::Mul(cos_a, turn_cos));
-        sin_a = hn::MulAdd(cos_a, turn_sin, hn::Mul(sin_a, turn_cos));
-        cos_a = next_a;
-        const auto next_b = hn::NegMulAdd(sin_b, turn_sin, hn::Mul(cos_b, turn_cos));
-        sin_b = hn::MulAdd(cos_b, turn_sin, hn::Mul(sin_b, turn_cos));
-        cos_b = next_b;
+        step_a = hn::NegMulAdd(bend, cos_a, step_a);
+        step_b = hn::NegMulAdd(bend, cos_b, step_b);
+        cos_a = hn::Add(cos_a, step_a);
+        cos_b = hn::Add(cos_b, step_b);
     }
     // What is left fills less than two registers; the weights' padding makes the reading past the end legal.
     for (int half = 0; half < 2 && i < count; ++half, i += lanes) {

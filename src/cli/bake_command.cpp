@@ -263,12 +263,17 @@ int run_bake(const BakeOptions& options, bool with_luts, Console& console) {
 }
 
 void declare_common(CLI::App& app, BakeOptions& options) {
-    app.add_option("SCENE", options.scenes, "scene files (TOML)")->required();
-    app.add_option("-o,--output", options.folder, "folder for the files; made if it is missing")->capture_default_str();
+    app.add_option("SCENE", options.scenes, "scene files (TOML)")->required()->type_name("");
+    app.add_option("-o,--output", options.folder, "folder for the files; made if it is missing")
+        ->type_name("DIR")
+        ->capture_default_str();
     app.add_option("--only", options.only, "only the LUT or swatch of this name; may be repeated")
+        ->type_name("NAME")
         ->allow_extra_args(false);
-    app.add_option("--ocio", options.ocio, "OpenColorIO config; wins over the scene's, which wins over $OCIO");
+    app.add_option("--ocio", options.ocio, "OpenColorIO config; wins over the scene's, which wins over $OCIO")
+        ->type_name("FILE");
     app.add_option("--threads", options.threads, "threads at once; 0: one per core")
+        ->type_name("N")
         ->check(CLI::Range(0, 1024))
         ->capture_default_str();
     app.add_flag("--force", options.force, "write files that are up to date as well");
@@ -280,7 +285,8 @@ void declare_common(CLI::App& app, BakeOptions& options) {
 Command add_bake_command(CLI::App& app) {
     const auto options = std::make_shared<BakeOptions>();
     declare_common(app, *options);
-    app.add_option("--shard", options->shard, "I/N: only every N-th LUT and swatch, from the I-th on; for farms");
+    app.add_option("--shard", options->shard, "only every N-th LUT and swatch, from the I-th on; for farms")
+        ->type_name("I/N");
     app.footer("\nExample:\n  nacre bake configs/scenes/morpho.toml configs/scenes/beetle.toml -o out\n");
     return [options](Console& console) { return run_bake(*options, true, console); };
 }

@@ -47,6 +47,7 @@ int run(int argc, char** argv) {
     const auto add = [&](const char* name, const char* what, nacre::Command (*declare)(CLI::App&)) {
         CLI::App* command = app.add_subcommand(name, what);
         commands.emplace_back(command, declare(*command));
+        command->footer("All commands take --json, --quiet and --verbose.\n" + command->get_footer());
     };
     add("bake", "scenes to LUTs, manifests and swatches", nacre::add_bake_command);
     add("swatch", "the pictures of scenes only", nacre::add_swatch_command);
@@ -59,7 +60,8 @@ int run(int argc, char** argv) {
     const auto word = std::find_if(argv + 1, argv + argc, [](const char* argument) { return argument[0] != '-'; });
     const auto is_word = [&](const auto& command) { return command.first->get_name() == *word; };
     if (word != argv + argc && std::none_of(commands.begin(), commands.end(), is_word)) {
-        std::cerr << "nacre: unknown command " << nacre::in_quotes(*word) << "; known: " << known_commands(commands) << "\n";
+        std::cerr << "nacre: unknown command " << nacre::in_quotes(*word) << "; known: " << known_commands(commands)
+                  << "\n";
         return nacre::exit_wrong_input;
     }
     try {

@@ -199,12 +199,14 @@ private:
 
 Command add_spectrum_command(CLI::App& app) {
     const auto options = std::make_shared<SpectrumOptions>();
-    app.add_option("SCENE", options->scene, "scene file (TOML)")->required();
+    app.add_option("SCENE", options->scene, "scene file (TOML)")->required()->type_name("");
     app.add_option("--material", options->materials, "material of the scene; may be repeated; default: all")
+        ->type_name("NAME")
         ->allow_extra_args(false);
-    app.add_option("--angle", options->angles_deg, "degrees from the normal, 0 to 90; default: 0");
+    app.add_option("--angle", options->angles_deg, "degrees from the normal, 0 to 90; default: 0")->type_name("DEG");
     app.add_option("--points", options->points,
                    "CSV of material,angle_deg,wavelength_nm: R_s,R_p,T_s,T_p per row; with --xyz of material,angle_deg")
+        ->type_name("FILE")
         ->excludes("--material")
         ->excludes("--angle");
     app.add_flag("--xyz", options->xyz, "X, Y, Z under the scene's light instead, before and after adaptation to D65");

@@ -48,7 +48,7 @@ int run_verify(const std::vector<std::string>& files, Console& console) {
 
 Command add_verify_command(CLI::App& app) {
     const auto files = std::make_shared<std::vector<std::string>>();
-    app.add_option("FILE", *files, "LUTs (EXR) that nacre baked")->required();
+    app.add_option("FILE", *files, "LUTs (EXR) that nacre baked")->required()->type_name("");
     app.footer("\nExit code 4 if one of them does not verify.\n\nExample:\n  nacre verify luts/*.exr\n");
     return [files](Console& console) { return run_verify(*files, console); };
 }

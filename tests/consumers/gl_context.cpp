@@ -28,7 +28,7 @@ namespace {
     throw std::runtime_error(message.str());
 }
 
-/// EGL's first device, which glvnd and Mesa order so that cards come before software; not initialised.
+/// EGL's first device (EGL_EXT_platform_device: NVIDIA has no surfaceless platform), or EGL_NO_DISPLAY.
 EGLDisplay first_device() {
     const auto query = reinterpret_cast<PFNEGLQUERYDEVICESEXTPROC>(eglGetProcAddress("eglQueryDevicesEXT"));
     EGLDeviceEXT device = EGL_NO_DEVICE_EXT;

@@ -71,7 +71,7 @@ const std::vector<Mistake> mistakes{
      ":3:61 [material.beetle]: height = 1.01 is out of range; allowed [0, 1]"},
     {"ShapeOutside", scene("shape = 1.5\n"), ":4:9 [material.m]: shape = 1.5 is out of range; allowed [0, 1]"},
     {"OnePick", "[material.m]\npicks = [ { " + std::string(pick_a) + " } ]\n",
-     ":2:9 [material.m]: picks has 1 entry; allowed 2 to 1000 (the colour at one angle says nothing about the others)"},
+     ":2:9 [material.m]: picks has 1 entry; allowed 2 to 100 (the colour at one angle says nothing about the others)"},
     {"OneAngleTwoColours", picks(pick_a, "angle_deg = 0, peak_nm = 500, width_nm = 70, height = 1"),
      ":2:9 [material.beetle]: picks[0] and picks[1] are different colours at one angle, 0 degrees; allowed are angles "
      "at "

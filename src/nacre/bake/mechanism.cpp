@@ -15,7 +15,7 @@ constexpr Allowed allowed_peak{100.0, 2000.0, "nm"};
 constexpr Allowed allowed_width{0.0, 1000.0, "nm"};
 constexpr Allowed allowed_height{0.0, 1.0};
 constexpr Allowed allowed_shape{0.0, 1.0};
-constexpr std::size_t most_picks = 1000;
+constexpr std::size_t most_picks = 100;
 
 struct PickParameter {
     std::string_view key;

@@ -10,7 +10,7 @@ namespace nacre {
 namespace {
 
 constexpr Allowed allowed_version{1, 1};
-constexpr Allowed allowed_wavelengths{2, 100000};
+constexpr Allowed allowed_wavelengths{2, 10000};
 // Reads one scene; holds what its tables refer to each other by.
 class Planner {
 public:

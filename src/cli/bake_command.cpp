@@ -97,25 +97,39 @@ void keep_shard(std::vector<Task>& tasks, const std::string& shard) {
     tasks = std::move(kept);
 }
 
+// Where files go, and what pictures are lettered with.
+struct Target {
+    OutputFolder& folder;
+    std::filesystem::path font;  // empty if there is no picture to draw
+    bool force;
+};
+
+bool draws_picture(const Task& task) {
+    if (task.swatch != nullptr) return true;
+    const auto& outputs = task.lut->outputs;
+    return std::find(outputs.begin(), outputs.end(), LutOutput::png) != outputs.end();
+}
+
 std::string size_text(const Job& job) {
     return std::to_string(job.width) + " x " + std::to_string(job.height);
 }
 
 // What makes one file out of bytes: nothing is written that is there already.
-void put(OutputFolder& folder, const std::string& name, std::string_view bytes, bool force, bool& unchanged) {
-    if (!force && folder.holds(name, bytes)) return;
+void put(const Target& target, const std::string& name, std::string_view bytes, bool& unchanged) {
+    if (!target.force && target.folder.holds(name, bytes)) return;
     unchanged = false;
-    folder.write(name, bytes);
+    target.folder.write(name, bytes);
 }
 
-std::string swatch_bytes(const PlannedSwatch& swatch, const ColourTransform& transform) {
-    const PngSettings settings{find_font(), transform.interop_id() == srgb_display_id, swatch.gamut == Gamut::compress};
+std::string swatch_bytes(const PlannedSwatch& swatch, const ColourTransform& transform,
+                         const std::filesystem::path& font) {
+    const PngSettings settings{font, transform.interop_id() == srgb_display_id, swatch.gamut == Gamut::compress};
     const auto bytes = encode_swatch_png(
         draw_swatch(swatch), [&](const Image<Xyz>& image) { return transform.apply(image); }, settings);
     return {bytes.begin(), bytes.end()};
 }
 
-Outcome bake_one_lut(const Task& task, OutputFolder& folder, bool force) {
+Outcome bake_one_lut(const Task& task, const Target& target) {
     const LoadedScene& scene = *task.scene;
     const PlannedLut& lut = *task.lut;
     const BakedLut baked = bake_lut(lut, scene.plan.colour, scene.source, scene.transform);
@@ -126,18 +140,16 @@ Outcome bake_one_lut(const Task& task, OutputFolder& folder, bool force) {
         const std::string file = lut.name + "." + std::string(name_of(output_words, output));
         switch (output) {
             case LutOutput::exr:
-                put(folder, file, encode_lut(baked.image, lut.format, baked.header), force, outcome.unchanged);
+                put(target, file, encode_lut(baked.image, lut.format, baked.header), outcome.unchanged);
                 break;
             case LutOutput::json:
-                put(folder, file, manifest, force, outcome.unchanged);
+                put(target, file, manifest, outcome.unchanged);
                 break;
             case LutOutput::png: {
                 PlannedSwatch strip;
-                strip.name = lut.name;
                 strip.title = lut.name;
                 strip.jobs = {lut.job};
-                put(folder, file, swatch_bytes(strip, scene.config.to_display("", "", lut.where.text())), force,
-                    outcome.unchanged);
+                put(target, file, swatch_bytes(strip, *scene.strip_transform, target.font), outcome.unchanged);
                 break;
             }
         }
@@ -145,8 +157,8 @@ Outcome bake_one_lut(const Task& task, OutputFolder& folder, bool force) {
     outcome.outside_gamut = baked.gamut.outside;
     outcome.json = nlohmann::ordered_json::parse(manifest);
     outcome.json["unchanged"] = outcome.unchanged;
-    outcome.line = lut.name + ".exr  " + size_text(lut.job) + " " + std::string(name_of(format_words, lut.format)) +
-                   "  " + scene.transform.target();
+    outcome.line = output_files(lut).front() + "  " + size_text(lut.job) + " " +
+                   std::string(name_of(format_words, lut.format)) + "  " + scene.transform.target();
     if (baked.gamut.outside > 0) {
         outcome.line += "  " + std::to_string(baked.gamut.outside) + " of " + std::to_string(baked.image.size()) +
                         " texels out of gamut, " +
@@ -167,12 +179,12 @@ Outcome bake_one_lut(const Task& task, OutputFolder& folder, bool force) {
     return outcome;
 }
 
-Outcome bake_one_swatch(const Task& task, OutputFolder& folder, bool force) {
+Outcome bake_one_swatch(const Task& task, const Target& target) {
     const PlannedSwatch& swatch = *task.swatch;
     const ColourTransform& transform = task.scene->swatch_transforms[task.swatch_index];
     Outcome outcome;
     outcome.unchanged = true;
-    put(folder, swatch.name + ".png", swatch_bytes(swatch, transform), force, outcome.unchanged);
+    put(target, swatch.name + ".png", swatch_bytes(swatch, transform, target.font), outcome.unchanged);
     outcome.line = swatch.name + ".png  " + std::string(name_of(swatch_words, swatch.kind)) + "  " +
                    transform.target() + (outcome.unchanged ? "  (unchanged)" : "");
     outcome.json = {{"file", swatch.name + ".png"},
@@ -183,9 +195,9 @@ Outcome bake_one_swatch(const Task& task, OutputFolder& folder, bool force) {
     return outcome;
 }
 
-Outcome run_task(const Task& task, OutputFolder& folder, bool force) {
+Outcome run_task(const Task& task, const Target& target) {
     try {
-        return task.lut != nullptr ? bake_one_lut(task, folder, force) : bake_one_swatch(task, folder, force);
+        return task.lut != nullptr ? bake_one_lut(task, target) : bake_one_swatch(task, target);
     } catch (const IoError&) {
         throw;  // the disk's refusal ends the batch; a LUT's own failure does not
     } catch (const Error& error) {
@@ -204,7 +216,7 @@ int report_dry_run(const std::vector<Task>& tasks, Console& console) {
                         (task.lut != nullptr ? "  " + size_text(task.lut->job) : ""));
         json.push_back({{"files", files}});
     }
-    if (console.json()) console.result(nlohmann::ordered_json{{"would_write", json}}.dump(2));
+    if (console.json()) console.result_json({{"would_write", json}});
     return exit_done;
 }
 
@@ -217,7 +229,10 @@ int run_bake(const BakeOptions& options, bool with_luts, Console& console) {
         throw Error("the scenes have no [swatch.NAME]; add one");
     if (options.dry_run) return report_dry_run(tasks, console);
 
+    const bool any_picture = std::any_of(tasks.begin(), tasks.end(), draws_picture);
+    const auto font = any_picture ? find_font() : std::filesystem::path();
     OutputFolder folder(options.folder);
+    const Target target{folder, font, options.force};
     tbb::task_arena arena(options.threads > 0 ? options.threads : tbb::task_arena::automatic);
     nlohmann::ordered_json json_luts = nlohmann::ordered_json::array();
     nlohmann::ordered_json json_swatches = nlohmann::ordered_json::array();
@@ -230,7 +245,7 @@ int run_bake(const BakeOptions& options, bool with_luts, Console& console) {
         arena.execute([&] {
             tbb::parallel_for(begin, end, [&](std::size_t i) {
                 throw_if_stopped();
-                outcomes[i - begin] = run_task(tasks[i], folder, options.force);
+                outcomes[i - begin] = run_task(tasks[i], target);
                 console.progress(++done, tasks.size());
             });
         });
@@ -255,9 +270,7 @@ int run_bake(const BakeOptions& options, bool with_luts, Console& console) {
                         "removes them, a wider space keeps the colour");
     }
     if (console.json()) {
-        console.result(
-            nlohmann::ordered_json{{"luts", json_luts}, {"swatches", json_swatches}, {"failures", json_failures}}.dump(
-                2));
+        console.result_json({{"luts", json_luts}, {"swatches", json_swatches}, {"failures", json_failures}});
     }
     return json_failures.empty() ? exit_done : exit_some_failed;
 }

@@ -5,6 +5,7 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
+#include <nlohmann/json.hpp>
 
 #include "nacre/error.h"
 
@@ -28,6 +29,10 @@ void Console::result(std::string_view line) {
     write_out(line);
 }
 
+void Console::result_json(const nlohmann::ordered_json& json) {
+    result(json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
+}
+
 void Console::summary(std::string_view line) {
     if (!options_.json && !options_.quiet) result(line);
 }
@@ -47,7 +52,11 @@ void Console::error(std::string_view line) {
 void Console::say(std::string_view line) {
     const std::lock_guard lock(mutex_);
     clear_progress();
-    std::fprintf(stderr, "%.*s\n", static_cast<int>(line.size()), line.data());
+    std::string shown(line);
+    for (char& c : shown) {
+        if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = '?';  // a hostile file's words may hold escape codes
+    }
+    std::fprintf(stderr, "%s\n", shown.c_str());
 }
 
 void Console::progress(std::size_t done, std::size_t total) {

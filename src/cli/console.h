@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <mutex>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <string_view>
 
@@ -23,6 +24,8 @@ public:
 
     /// A line of the result; throws IoError if standard output cannot take it.
     void result(std::string_view line);
+    /// The same for a JSON document; bytes that are no UTF-8 (file names may hold them) become U+FFFD.
+    void result_json(const nlohmann::ordered_json& json);
     /// A line of the result that --quiet and --json leave out.
     void summary(std::string_view line);
     void note(std::string_view line);     ///< with -v only

@@ -66,7 +66,7 @@ int run_figures(const FiguresOptions& options, Console& console) {
     throw_if_stopped();
     folder.commit();
     for (const PaperFigure& figure : figures) console.summary(figure.title + ": " + comma_separated(figure.files()));
-    if (console.json()) console.result(nlohmann::ordered_json{{"figures", json}}.dump(2));
+    if (console.json()) console.result_json({{"figures", json}});
     return exit_done;
 }
 

@@ -1,5 +1,6 @@
 #include "cli/loaded_scene.h"
 
+#include <algorithm>
 #include <filesystem>
 
 #include "io/scene_file.h"
@@ -39,8 +40,19 @@ LoadedScene load_scene(const std::string& path, const std::string& ocio, bool wa
     }
     console.note(path + ": " + std::to_string(plan.luts.size()) + " LUTs and " + std::to_string(plan.swatches.size()) +
                  " swatches; OpenColorIO config " + config.description() + ", space " + transform.target());
+    std::optional<ColourTransform> strip_transform;
+    const auto png_lut = std::find_if(plan.luts.begin(), plan.luts.end(), [](const PlannedLut& lut) {
+        return std::find(lut.outputs.begin(), lut.outputs.end(), LutOutput::png) != lut.outputs.end();
+    });
+    if (png_lut != plan.luts.end())
+        strip_transform = config.to_display("", "", png_lut->where.text() + " [lut." + png_lut->name + "]");
     ColourSource source{config.description(), config.content_hash()};
-    return {path, std::move(plan), config, std::move(source), std::move(transform), std::move(swatch_transforms)};
+    return {path,
+            std::move(plan),
+            std::move(source),
+            std::move(transform),
+            std::move(swatch_transforms),
+            std::move(strip_transform)};
 }
 
 std::vector<LoadedScene> load_scenes(const std::vector<std::string>& paths, const std::string& ocio, bool want_swatches,

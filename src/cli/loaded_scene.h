@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,10 +16,10 @@ namespace nacre {
 struct LoadedScene {
     std::string path;
     Plan plan;
-    ColourConfig config;
     ColourSource source;
     ColourTransform transform;                       ///< XYZ D65 to the LUTs' colour space
     std::vector<ColourTransform> swatch_transforms;  ///< as many as the plan has swatches
+    std::optional<ColourTransform> strip_transform;  ///< default display and view, if a LUT asks for a png
 };
 
 /// @param ocio         --ocio: wins over the scene's config, which wins over $OCIO

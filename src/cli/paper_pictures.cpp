@@ -49,7 +49,6 @@ PlannedSwatch planned(const PaperFigure& figure, SwatchKind kind, const Specimen
     swatch.title = title;
     swatch.jobs = swatch_jobs(kind, {specimen.name, specimen.palette, {}}, light);
     if (kind == SwatchKind::palette) {
-        for (std::size_t pick = 0; pick < swatch.jobs.size(); ++pick) swatch.picks.push_back(pick);
     }
     return swatch;
 }

@@ -5,7 +5,7 @@ namespace nacre {
 
 Command add_snippet_command(CLI::App& app) {
     const auto language = std::make_shared<std::string>();
-    app.add_option("LANGUAGE", *language, "glsl (ES 3.00 and 4.50) or hlsl")
+    app.add_option("LANGUAGE", *language, "glsl (ES 3.00, 3.30 and later) or hlsl")
         ->required()
         ->check(CLI::IsMember({"glsl", "hlsl"}));
     app.footer("\nExample:\n  nacre snippet glsl > nacre.glsl\n");

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/commands.h"
+#include "cli/stop_signal.h"
 #include "io/curve_csv.h"
 #include "io/scene_file.h"
 #include "nacre/bake/bake.h"
@@ -46,6 +47,7 @@ public:
     }
 
     void row(const std::vector<std::string>& texts, const std::vector<double>& numbers) {
+        throw_if_stopped();
         if (console_.json()) {
             nlohmann::ordered_json object;
             for (std::size_t i = 0; i < texts.size(); ++i) object[text_names_[i]] = texts[i];
@@ -64,7 +66,7 @@ public:
     }
 
     void finish() {
-        if (console_.json()) console_.result(json_.dump(2));
+        if (console_.json()) console_.result_json(json_);
     }
 
 private:

@@ -1,11 +1,13 @@
 #include "cli/stop_signal.h"
 
+#include <atomic>
 #include <csignal>
 
 namespace nacre {
 namespace {
 
-volatile std::sig_atomic_t caught_signal = 0;
+std::atomic<int> caught_signal = 0;
+static_assert(std::atomic<int>::is_always_lock_free, "a signal handler writes it");
 
 void note_signal(int signal) {
     caught_signal = signal;
@@ -23,7 +25,7 @@ void watch_stop_signals() {
 }
 
 void throw_if_stopped() {
-    if (caught_signal != 0) throw StopRequested{caught_signal};
+    if (const int signal = caught_signal; signal != 0) throw StopRequested{signal};
 }
 
 }  // namespace nacre

@@ -2,7 +2,7 @@
 
 namespace nacre {
 
-/// Thrown between two jobs when the process was asked to end.
+/// Thrown between two jobs (LUTs, pictures, files, rows) when the process was asked to end.
 struct StopRequested {
     int signal;
 };

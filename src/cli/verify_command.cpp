@@ -1,7 +1,8 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/commands.h"
-#include "io/baked_lut.h"
+#include "cli/stop_signal.h"
+#include "io/verify_lut.h"
 #include "nacre/bake/names.h"
 #include "nacre/bake/text.h"
 #include "nacre/error.h"
@@ -26,22 +27,29 @@ std::string verdict_text(const StoredLut& stored, const Verification& found) {
 
 int run_verify(const std::vector<std::string>& files, Console& console) {
     nlohmann::ordered_json json = nlohmann::ordered_json::array();
-    bool all_passed = true;
+    int code = exit_done;
     for (const std::string& file : files) {
-        const StoredLut stored = read_lut(file);
-        const Verification found = verify_lut(stored);
-        all_passed = all_passed && found.passed();
-        console.summary(file + ": " + verdict_text(stored, found));
-        json.push_back({{"file", file},
-                        {"verified", found.passed()},
-                        {"missing", found.missing},
-                        {"contradicting", found.wrong},
-                        {"problem", found.problem},
-                        {"differing_components", found.differing},
-                        {"largest_difference", found.largest_difference}});
+        throw_if_stopped();
+        try {
+            const StoredLut stored = read_lut(file);
+            const Verification found = verify_lut(stored);
+            if (!found.passed() && code == exit_done) code = exit_not_verified;
+            console.summary(file + ": " + verdict_text(stored, found));
+            json.push_back({{"file", file},
+                            {"verified", found.passed()},
+                            {"missing", found.missing},
+                            {"contradicting", found.wrong},
+                            {"problem", found.problem},
+                            {"differing_components", found.differing},
+                            {"largest_difference", found.largest_difference}});
+        } catch (const IoError& error) {  // one file that cannot be read says nothing about the others
+            console.error(error.what());
+            json.push_back({{"file", file}, {"verified", false}, {"problem", error.what()}});
+            code = exit_io;
+        }
     }
-    if (console.json()) console.result(json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
-    return all_passed ? exit_done : exit_not_verified;
+    if (console.json()) console.result_json(json);
+    return code;
 }
 
 }  // namespace
@@ -49,7 +57,9 @@ int run_verify(const std::vector<std::string>& files, Console& console) {
 Command add_verify_command(CLI::App& app) {
     const auto files = std::make_shared<std::vector<std::string>>();
     app.add_option("FILE", *files, "LUTs (EXR) that nacre baked")->required()->type_name("");
-    app.footer("\nExit code 4 if one of them does not verify.\n\nExample:\n  nacre verify luts/*.exr\n");
+    app.footer(
+        "\nExit code 4 if one of them does not verify, 3 if one cannot be read.\n\nExample:\n  nacre verify "
+        "luts/*.exr\n");
     return [files](Console& console) { return run_verify(*files, console); };
 }
 

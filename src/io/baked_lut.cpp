@@ -6,26 +6,26 @@
 #include <nlohmann/json.hpp>
 
 #include "io/hash.h"
-#include "io/scene_file.h"
 #include "nacre/bake/bake.h"
 #include "nacre/bake/text.h"
 #include "nacre/colour/rgb_space.h"
-#include "nacre/error.h"
 #include "nacre_version.h"
 
 namespace nacre {
 namespace {
 
-// Every attribute that a header must have; the rest depends on the LUT.
-constexpr std::array required_attributes{"version",          "scene",           "sceneHash",   "lut",
-                                         "material",         "mechanism",       "axisX",       "size",
-                                         "sampling",         "illuminant",      "observer",    "adapt",
-                                         "rangeNm",          "integration",     "colourSpace", "colourConfig",
-                                         "colourConfigHash", "colourTransform", "gamut",       "format"};
-
 // As scenes write it, less the quotes: `sqrt_cos_theta`, `{ parameter = "width_nm", from = 20, to = 200 }`.
 std::string axis_text(const Axis& axis) {
     return axis.is_angle() ? std::string(axis.kind->name) : axis_toml(axis);
+}
+
+// To a millionth of a degree: the bits beyond are those of the machine's sine.
+double rounded_angle(double angle_deg) {
+    return std::round(angle_deg * 1e6) / 1e6;
+}
+
+std::string angle_text(double angle_deg) {
+    return number_text(rounded_angle(angle_deg));
 }
 
 std::string integration_text(const LightSettings& light) {
@@ -76,8 +76,8 @@ LutHeader make_header(const PlannedLut& lut, const ColourSettings& colour, const
     add("colourTransform", transform.to_ctf());
     add("gamut", std::string(name_of(gamut_words, colour.gamut)));
     add("gamutOutside", std::to_string(baked.gamut.outside));
-    if (baked.clamped.below_deg) add("clampedBelowDeg", number_text(*baked.clamped.below_deg));
-    if (baked.clamped.above_deg) add("clampedAboveDeg", number_text(*baked.clamped.above_deg));
+    if (baked.clamped.below_deg) add("clampedBelowDeg", angle_text(*baked.clamped.below_deg));
+    if (baked.clamped.above_deg) add("clampedAboveDeg", angle_text(*baked.clamped.above_deg));
     add("scene", scene);
     add("sceneHash", hash_text(scene));
     return header;
@@ -112,7 +112,10 @@ std::string manifest_json(const PlannedLut& lut, const BakedLut& baked) {
     const LutHeader& header = baked.header;
     nlohmann::ordered_json json;
     json["nacre"] = nacre_version();
-    json["file"] = lut.name + ".exr";
+    json["lut"] = lut.name;
+    if (std::find(lut.outputs.begin(), lut.outputs.end(), LutOutput::exr) != lut.outputs.end()) {
+        json["file"] = lut.name + ".exr";
+    }
     json["material"] = job.material.name;
     json["mechanism"] = mechanism_name(job.material.mechanism);
     json["width"] = job.width;
@@ -128,7 +131,7 @@ std::string manifest_json(const PlannedLut& lut, const BakedLut& baked) {
     json["colour_space"] = header.value("colourSpace");
     if (!header.interop_id.empty()) json["color_interop_id"] = header.interop_id;
     if (header.chromaticities) {
-        // Back through text: a float's own digits, not those of its neighbourhood in double.
+        // Six decimals are a float's own digits here; more would be those of its neighbourhood in double.
         for (const float number : *header.chromaticities)
             json["chromaticities"].push_back(std::round(static_cast<double>(number) * 1e6) / 1e6);
     }
@@ -141,66 +144,11 @@ std::string manifest_json(const PlannedLut& lut, const BakedLut& baked) {
                      {"adapt", header.value("adapt")},
                      {"range_nm", {light.first_nm, light.last_nm}},
                      {"integration", header.value("integration")}};
-    if (baked.clamped.below_deg) json["clamped_below_deg"] = *baked.clamped.below_deg;
-    if (baked.clamped.above_deg) json["clamped_above_deg"] = *baked.clamped.above_deg;
+    if (baked.clamped.below_deg) json["clamped_below_deg"] = rounded_angle(*baked.clamped.below_deg);
+    if (baked.clamped.above_deg) json["clamped_above_deg"] = rounded_angle(*baked.clamped.above_deg);
     json["scene"] = header.value("scene");
     json["scene_hash"] = header.value("sceneHash");
     return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
-}
-
-Verification verify_lut(const StoredLut& stored) {
-    Verification result;
-    for (const char* name : required_attributes) {
-        if (stored.header.value(name).empty()) result.missing.emplace_back(name);
-    }
-    const std::string scene = stored.header.value("scene");
-    if (scene.empty() || stored.header.value("colourTransform").empty()) {
-        result.problem = "the header does not say how the LUT was made";
-        return result;
-    }
-    if (hash_text(scene) != stored.header.value("sceneHash")) {
-        result.problem = "the scene in the header is not the one that its hash was made of";
-        return result;
-    }
-    BakedLut again;
-    try {
-        const Plan plan =
-            plan_scene(parse_scene(scene, "header"), [](const std::string& file, const Where& where) -> SampledCurve {
-                throw Error(where.text() + ": names the file " + file);
-            });
-        if (plan.luts.size() != 1)
-            throw Error("the scene in the header holds " + std::to_string(plan.luts.size()) + " LUTs");
-        const auto transform = ColourTransform::from_ctf(stored.header.value("colourTransform"),
-                                                         stored.header.value("colourSpace"), "header");
-        again = bake_lut(plan.luts.front(), plan.colour, {}, transform);
-        if (plan.luts.front().format != stored.format)
-            throw Error("the scene asks for another number format than the file has");
-    } catch (const Error& error) {
-        result.problem = error.what();
-        return result;
-    }
-    for (const auto& [name, value] : again.header.nacre) {
-        const bool about_origin = name == "version" || name == "colourConfig" || name == "colourConfigHash";
-        if (!about_origin && stored.header.value(name) != value) result.wrong.push_back("nacre:" + name);
-    }
-    if (stored.header.interop_id != again.header.interop_id) result.wrong.emplace_back("colorInteropID");
-    if (stored.header.chromaticities != again.header.chromaticities) result.wrong.emplace_back("chromaticities");
-    if (again.image.width() != stored.image.width() || again.image.height() != stored.image.height()) {
-        result.problem = "the scene in the header makes another size";
-        return result;
-    }
-    for (std::size_t i = 0; i < stored.image.size(); ++i) {
-        const Rgb& derived = again.image.data()[i];
-        const Rgb& present = stored.image.data()[i];
-        for (double Rgb::*component : {&Rgb::r, &Rgb::g, &Rgb::b}) {
-            const double difference = std::abs(stored_value(derived.*component, stored.format) - present.*component);
-            if (difference == 0.0) continue;
-            ++result.differing;  // NaN differs too
-            result.largest_difference =
-                std::isnan(difference) ? difference : std::max(result.largest_difference, difference);
-        }
-    }
-    return result;
 }
 
 }  // namespace nacre

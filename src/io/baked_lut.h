@@ -36,18 +36,4 @@ BakedLut bake_lut(const PlannedLut& lut, const ColourSettings& colour, const Col
 /// The manifest: JSON for tools, ending in a newline. No date, host or path.
 std::string manifest_json(const PlannedLut& lut, const BakedLut& baked);
 
-/// What verifying a file found.
-struct Verification {
-    std::vector<std::string> missing;  ///< header attributes that are not there
-    std::vector<std::string> wrong;    ///< attributes that contradict the scene in the header
-    std::string problem;               ///< why the LUT cannot be derived again; empty if it can
-    std::size_t differing = 0;         ///< components that are not the re-bake's
-    double largest_difference = 0.0;   ///< of linear RGB
-
-    bool passed() const { return missing.empty() && wrong.empty() && problem.empty() && differing == 0; }
-};
-
-/// Derives a LUT again from nothing but its header, and compares every component. Throws IoError if it cannot be read.
-Verification verify_lut(const StoredLut& stored);
-
 }  // namespace nacre

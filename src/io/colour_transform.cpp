@@ -45,8 +45,10 @@ ColourTransform ColourTransform::from_ctf(const std::string& text, const std::st
     if (text.find("<ProcessList") == std::string::npos) {
         throw Error(where + ": the OCIO transform is no CTF; it must be a ProcessList");
     }
-    // A document type could hide a Reference in an entity.
-    if (text.find("<Reference") != std::string::npos || text.find("<!DOCTYPE") != std::string::npos) {
+    // OpenColorIO does not tell upper from lower case, and a document type could hide a Reference in an entity.
+    std::string lower = text;
+    for (char& c : lower) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+    if (lower.find("reference") != std::string::npos || lower.find("<!doctype") != std::string::npos) {
         throw Error(where + ": the OCIO transform refers to other files; it must carry everything itself");
     }
     auto impl = std::make_shared<Impl>();

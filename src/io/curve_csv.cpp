@@ -20,16 +20,18 @@ constexpr std::string_view blanks = " \t\r";
 std::string_view trimmed(std::string_view text) {
     const std::size_t begin = text.find_first_not_of(blanks);
     if (begin == std::string_view::npos) return {};
-    text = text.substr(begin, text.find_last_not_of(blanks) - begin + 1);
-    if (text.size() >= 2 && text.front() == '"' && text.back() == '"') text = text.substr(1, text.size() - 2);
-    return text;
+    return text.substr(begin, text.find_last_not_of(blanks) - begin + 1);
+}
+
+std::string_view unquoted(std::string_view text) {
+    return text.size() >= 2 && text.front() == '"' && text.back() == '"' ? text.substr(1, text.size() - 2) : text;
 }
 
 std::vector<std::string> split(std::string_view line) {
     std::vector<std::string> fields;
     for (;;) {
         const std::size_t end = line.find_first_of(",;\t");
-        fields.emplace_back(trimmed(line.substr(0, end)));
+        fields.emplace_back(unquoted(trimmed(line.substr(0, end))));
         if (end == std::string_view::npos) return fields;
         line.remove_prefix(end + 1);
     }

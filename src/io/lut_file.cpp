@@ -11,6 +11,7 @@
 #include <limits>
 #include <string_view>
 
+#include "nacre/bake/plan.h"
 #include "nacre/bake/text.h"
 #include "nacre/error.h"
 
@@ -18,7 +19,7 @@ namespace nacre {
 namespace {
 
 constexpr std::string_view prefix = "nacre:";
-constexpr int largest_stored_side = 1 << 16;
+constexpr int largest_stored_side = largest_lut_size;
 
 void check_storable(const Image<Rgb>& image, PixelFormat format) {
     const double largest = format == PixelFormat::half_float ? static_cast<double>(HALF_MAX)

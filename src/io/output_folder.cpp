@@ -77,7 +77,8 @@ std::string unique_prefix() {
 OutputFolder::OutputFolder(std::string path) : path_(path.empty() ? "." : std::move(path)) {
     std::error_code error;
     std::filesystem::create_directories(path_, error);
-    if (error && !std::filesystem::is_directory(path_))
+    std::error_code ignored;
+    if (error && !std::filesystem::is_directory(path_, ignored))
         throw IoError(path_ + ": cannot be created: " + error.message());
     descriptor_ = ::open(path_.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
     if (descriptor_ < 0) fail(path_, "be opened as a folder", errno);
@@ -153,11 +154,6 @@ void OutputFolder::commit() {
         here.st_dev != there.st_dev) {
         throw IoError(path_ + ": the folder has vanished while its files were written");
     }
-}
-
-std::size_t OutputFolder::pending() const {
-    const std::lock_guard lock(mutex_);
-    return pending_.size();
 }
 
 }  // namespace nacre

@@ -25,8 +25,6 @@ public:
     OutputFolder(const OutputFolder&) = delete;
     OutputFolder& operator=(const OutputFolder&) = delete;
 
-    const std::string& path() const { return path_; }
-
     /// Whether the file is there already with just these bytes.
     bool holds(const std::string& name, std::string_view bytes) const;
 
@@ -34,9 +32,6 @@ public:
 
     /// Puts everything written so far into place.
     void commit();
-
-    /// Number of files written and not committed yet.
-    std::size_t pending() const;
 
 private:
     struct Pending {

@@ -17,7 +17,8 @@ namespace nacre {
 namespace {
 
 constexpr std::size_t largest_scene_bytes = 64u << 20;
-constexpr int deepest_include = 16;
+constexpr std::size_t deepest_include = 16;
+constexpr std::size_t most_files = 1000;
 constexpr int deepest_nesting = 64;
 
 Where where_of(const toml::source_region& source, const std::string& file) {
@@ -89,6 +90,7 @@ void merge(Table& into, const Table& from) {
         }
         const bool both_tables = present != nullptr && std::holds_alternative<std::shared_ptr<Table>>(present->data) &&
                                  std::holds_alternative<std::shared_ptr<Table>>(entry.value.data);
+        if (entry.key == "include" && into.path().empty()) continue;  // its files are in here already
         if (both_tables) {
             merge(*std::get<std::shared_ptr<Table>>(present->data),
                   *std::get<std::shared_ptr<Table>>(entry.value.data));
@@ -109,7 +111,7 @@ Table parse(const std::string& text, const std::string& name) {
     }
 }
 
-Table read(const std::string& path, std::vector<std::filesystem::path>& open_files) {
+Table read(const std::string& path, std::vector<std::filesystem::path>& open_files, std::size_t& file_count) {
     const std::string text = read_text_file(path, largest_scene_bytes);
     Table table = parse(text, path);
     const Value* includes = table.find("include");
@@ -127,9 +129,12 @@ Table read(const std::string& path, std::vector<std::filesystem::path>& open_fil
         if (open_files.size() >= deepest_include) {
             table.fail(includes->where, "include is nested deeper than " + std::to_string(deepest_include) + " files");
         }
+        if (++file_count > most_files) {
+            table.fail(includes->where, "more than " + std::to_string(most_files) + " files are included");
+        }
         open_files.push_back(canonical);
         try {
-            merge(result, read(file.string(), open_files));
+            merge(result, read(file.string(), open_files, file_count));
         } catch (const IoError& error) {
             table.fail(includes->where, error.what());  // a scene that names a missing file is wrong; the disk is not
         }
@@ -145,7 +150,8 @@ Table read(const std::string& path, std::vector<std::filesystem::path>& open_fil
 Table read_scene_file(const std::string& path) {
     std::error_code ignored;
     std::vector<std::filesystem::path> open_files{std::filesystem::weakly_canonical(path, ignored)};
-    return read(path, open_files);
+    std::size_t file_count = 0;
+    return read(path, open_files, file_count);
 }
 
 Table parse_scene(const std::string& text, const std::string& name) {

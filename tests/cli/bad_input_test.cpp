@@ -146,6 +146,13 @@ const std::vector<Mistake> mistakes{
     {"DuplicateKey", scene("shape = 1\nshape = 0\n"), ""},
     {"UnknownSwatch", scene("[swatch.a]\ndraw = \"cube\"\n"),
      ":5:8 [swatch.a]: unknown swatch \"cube\"; known: plane, palette, strip, sphere"},
+    {"SwatchOfNothing", scene("[swatch.a]\n"), ":4:1 [swatch.a]: draw is missing; it has no default"},
+    {"LightWithoutBlue",
+     scene("[light]\nilluminant = { wavelength_nm = [360, 399, 400, 401, 402, 830], power = [0, 0, 1, 1, 0, 0] }\n"),
+     ":5:14 [light]: the white of illuminant \"table\" cannot be adapted to D65; use adapt = \"none\", more "
+     "wavelengths, or a broader spectrum"},
+    {"LightThatIsNegative", scene("[light]\nilluminant = { wavelength_nm = [360, 830], power = [1, -1] }\n"),
+     ":5:61 [light]: power = -1 is out of range; allowed [0, 1e+30]"},
     {"UnknownLutOfASwatch", scene("[swatch.a]\ndraw = \"strip\"\nlut = \"b\"\n"), ""},
     {"UnknownDisplay", scene("[swatch.a]\ndraw = \"strip\"\ndisplay = \"IMAX\"\n"), ""},
     {"IncludeOfNothing", "include = [\"none.toml\"]\n" + scene(""), ""},

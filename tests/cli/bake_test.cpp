@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <tuple>
 
 #include "io/lut_file.h"
 #include "support/program.h"
@@ -112,6 +113,42 @@ TEST(Bake, IncludesMergeAndJsonIsOneDocument) {
     EXPECT_TRUE(json["failures"].empty());
 }
 
+TEST(Bake, IncludedFilesMayIncludeOthersAndWhatIsIncludedStaysBesideItsFile) {
+    const TemporaryFolder folder;
+    folder.file("parts/deeper/lamp.csv", "300,1\n900,2\n");
+    folder.file("parts/deeper/light.toml", "[light]\nilluminant = \"lamp.csv\"\n");
+    folder.file("parts/morpho.toml", "include = \"deeper/light.toml\"\n" + std::string(two_picks));
+    folder.file("s.toml", "include = [\"parts/morpho.toml\"]\n");
+    const ProgramResult result = bake(folder, {});
+    ASSERT_EQ(result.exit_code, 0) << result.err;
+    EXPECT_EQ(read_lut((folder.path() / "out/morpho.exr").string()).header.value("illuminant"), "lamp.csv");
+}
+
+TEST(Bake, LampThatIsNegativeBeyondTheRangeBakesAndVerifies) {
+    const TemporaryFolder folder;
+    folder.file(
+        "lamp.csv",
+        "\"nm\",\"power\"\n\"300\",-0.01\n\"340\",-0.002\n\"350\",12345678901234567890\n\"840\",1e19\n\"900\",-1\n");
+    folder.file("s.toml", std::string(two_picks) + "[light]\nilluminant = \"lamp.csv\"\n");
+    const ProgramResult result = bake(folder, {});
+    ASSERT_EQ(result.exit_code, 0) << result.err;
+    EXPECT_EQ(run_nacre({"verify", (folder.path() / "out/morpho.exr").string()}).exit_code, 0);
+}
+
+TEST(Bake, PictureOfALutNeedsADisplayAndSaysSoBeforeAnythingIsWritten) {
+    const TemporaryFolder folder;
+    folder.file("plain.ocio",
+                "ocio_profile_version: 2\nroles:\n  aces_interchange: ap0\n  default: ap0\n  scene_linear: ap0\n"
+                "file_rules:\n  - !<Rule> {name: Default, colorspace: default}\ncolorspaces:\n  - !<ColorSpace>\n    "
+                "name: ap0\n");
+    folder.file("s.toml",
+                std::string(two_picks) +
+                    "[colour]\nconfig = \"plain.ocio\"\nspace = \"ap0\"\n[lut.a]\n[lut.b]\noutputs = [\"png\"]\n");
+    const ProgramResult result = bake(folder, {});
+    EXPECT_EQ(result.exit_code, 2) << result.err;
+    EXPECT_FALSE(std::filesystem::exists(folder.path() / "out"));
+}
+
 TEST(Bake, GamutRulesLeaveNoNegativeComponent) {
     const TemporaryFolder folder;
     for (const std::string rule : {"keep", "clip", "compress"}) {
@@ -170,23 +207,32 @@ TEST(Bake, VerifyAcceptsWhatBakeWroteAndNothingElse) {
         << result.out;
 
     // One bit of one texel.
-    std::string bytes = file_bytes(file);
+    const std::string intact = file_bytes(file);
+    std::string bytes = intact;
     bytes[bytes.size() - 100] = static_cast<char>(bytes[bytes.size() - 100] ^ 1);
     std::ofstream(file, std::ios::binary) << bytes;
     result = run_nacre({"verify", file.string()});
     EXPECT_EQ(result.exit_code, 4);
     EXPECT_NE(result.out.find("NOT verified: 1 components differ from a re-bake"), std::string::npos) << result.out;
 
-    // Another illuminant in the header.
-    bytes = file_bytes(file);
-    const auto at = bytes.find("cie1931_2deg");
-    bytes.replace(at, 12, "cie1964_2deg");
-    std::ofstream(file, std::ios::binary) << bytes;
-    result = run_nacre({"verify", file.string()});
-    EXPECT_EQ(result.exit_code, 4);
+    // Another observer, and another space, in attributes that say what the scene says too.
+    for (const auto& [said, forged, attribute] : {std::tuple{"cie1931_2deg", "cie1964_2deg", "nacre:observer"},
+                                                  {"acescct_ap1", "acescct_ap0", "nacre:colourSpace"}}) {
+        bytes = intact;
+        bytes.replace(bytes.find(said), std::string(said).size(), forged);
+        std::ofstream(file, std::ios::binary) << bytes;
+        result = run_nacre({"verify", file.string()});
+        EXPECT_EQ(result.exit_code, 4);
+        EXPECT_NE(result.out.find(std::string("the header contradicts its scene in ") + attribute), std::string::npos)
+            << result.out;
+    }
 
+    // A file that cannot be read hides no other.
     std::ofstream(file, std::ios::binary) << "no image";
-    EXPECT_EQ(run_nacre({"verify", file.string()}).exit_code, 3);
+    const std::string other = folder.file("other.exr", intact);
+    result = run_nacre({"verify", file.string(), other});
+    EXPECT_EQ(result.exit_code, 3);
+    EXPECT_NE(result.out.find("other.exr: verified"), std::string::npos) << result.out;
 }
 
 // Pictures hold letters, and another version of FreeType draws their edges a little differently: 1 % of the pixels may.
@@ -230,7 +276,8 @@ TEST(Bake, ToolsOfOthersReadTheTextureAndShowItsMetadata) {
     const std::string lut = (folder.path() / "out/morpho.exr").string();
     const std::string shown = (folder.path() / "shown").string();
     for (const std::string tool : {"exrheader", "exrinfo -v", "oiiotool --info -v"}) {
-        ASSERT_EQ(std::system((tool + " " + lut + " > " + shown + " 2>&1").c_str()), 0) << tool << ": " << file_bytes(shown);
+        ASSERT_EQ(std::system((tool + " " + lut + " > " + shown + " 2>&1").c_str()), 0)
+            << tool << ": " << file_bytes(shown);
         const std::string text = file_bytes(shown);
         for (const std::string word : {"nacre:scene", "nacre:axisX", "colorInteropID", "chromaticities"}) {
             EXPECT_NE(text.find(word), std::string::npos) << tool << " does not show " << word << "\n" << text;

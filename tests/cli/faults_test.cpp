@@ -29,22 +29,24 @@ void expect_one_line(const ProgramResult& result, int code) {
 TEST(Faults, FullDiskLeavesTheOldFileAndNoOther) {
     const TemporaryFolder folder;
     folder.file("s.toml", scene);
-    folder.file("out/morpho.exr", "the old one");
-    // A disk of one page of its own: 4 kB hold neither the texture nor half of it.
+    // A disk of two pages of its own: one holds the old file, and the other not the whole of the new one.
     const auto small_disk = [&] {
         if (::unshare(::geteuid() == 0 ? CLONE_NEWNS : CLONE_NEWUSER | CLONE_NEWNS) != 0) ::_exit(99);
         ::mount(nullptr, "/", nullptr, MS_REC | MS_PRIVATE, nullptr);
         const std::string out = (folder.path() / "small").string();
         ::mkdir(out.c_str(), 0777);
-        if (::mount("none", out.c_str(), "tmpfs", 0, "size=4k") != 0) ::_exit(99);
+        if (::mount("none", out.c_str(), "tmpfs", 0, "size=8k") != 0) ::_exit(99);
         // What is left on it can only be seen from in here: the program's place is taken by a shell that looks.
         ::setenv("NACRE", NACRE_PROGRAM, 1);
         ::execl("/bin/sh", "sh", "-c",
-                "\"$NACRE\" bake s.toml --only morpho -o small; echo exit $? left $(ls -A small | wc -l)", nullptr);
+                "printf old > small/morpho.exr; head -c 3000 /dev/zero > small/filler; \"$NACRE\" bake s.toml --only "
+                "morpho -o small; "
+                "echo exit $? left $(ls -A small) $(cat small/morpho.exr)",
+                nullptr);
     };
     const ProgramResult result = run_nacre({}, {folder.path(), {}, small_disk, {}});
     if (result.exit_code == 99) GTEST_SKIP() << "this machine lets nobody mount; the next test covers the writer";
-    EXPECT_EQ(result.out, "exit 3 left 0\n") << result.err;
+    EXPECT_EQ(result.out, "exit 3 left filler morpho.exr old\n") << result.err;
     EXPECT_NE(result.err.find("No space left on device"), std::string::npos) << result.err;
 }
 

@@ -455,6 +455,8 @@ TEST(Ctf, HostileTextIsRefused) {
     EXPECT_EQ(message("hello"), "a.exr: the OCIO transform is no CTF; it must be a ProcessList");
     EXPECT_EQ(message("<ProcessList version=\"1.3\"><Reference path=\"/etc/passwd\"/></ProcessList>"),
               "a.exr: the OCIO transform refers to other files; it must carry everything itself");
+    EXPECT_EQ(message("<ProcessList version=\"1.3\"><rEFERENCE path=\"/etc/passwd\"/></ProcessList>"),
+              "a.exr: the OCIO transform refers to other files; it must carry everything itself");
     EXPECT_EQ(message("<!DOCTYPE x [<!ENTITY r \"y\">]><ProcessList/>"),
               "a.exr: the OCIO transform refers to other files; it must carry everything itself");
     const std::string cut = builtin().to_colour_space("lin_rec709", where).to_ctf().substr(0, 200);

@@ -95,12 +95,30 @@ void check_power(const Table& table, const LightSettings& settings) {
         fail("covers " + number_text(nm.front()) + " to " + number_text(nm.back()) + " nm; range_nm needs " +
              std::to_string(settings.first_nm) + " to " + std::to_string(settings.last_nm) + " nm");
     }
+    if (power.size() > most_samples) fail("has more than " + std::to_string(most_samples) + " values in range_nm");
+    for (std::size_t i = 0; i < power.size(); ++i) {
+        if (power[i] >= any_power.low && power[i] <= any_power.high) continue;
+        fail("is " + number_text(power[i]) + " at " + number_text(nm[i]) + " nm; power is 0 to " +
+             number_text(any_power.high));
+    }
     double luminance = 0.0;
     for (int i = settings.first_nm; i <= settings.last_nm; ++i) {
-        if (settings.power.at(i) < 0.0) fail("is negative at " + std::to_string(i) + " nm; power is 0 or more");
         luminance += settings.power.at(i) * colour_matching(settings.observer, i)[1];
     }
     if (!(luminance > 0.0)) fail("has no visible light in range_nm; give it some");
+}
+
+// Drops what lies outside the range, but for the neighbours that its ends are interpolated from. Lamps are measured
+// further than eyes see, and their last values may be noise below zero.
+void crop_to_range(LightSettings& settings) {
+    auto& [nm, power] = settings.power;
+    const auto after = std::upper_bound(nm.begin(), nm.end(), static_cast<double>(settings.first_nm));
+    const auto begin = after == nm.begin() ? 0 : std::distance(nm.begin(), after) - 1;
+    const auto last = std::lower_bound(nm.begin(), nm.end(), static_cast<double>(settings.last_nm));
+    const auto end = last == nm.end() ? std::distance(nm.begin(), last) : std::distance(nm.begin(), last) + 1;
+    if (end - begin < 2) return;
+    nm = std::vector<double>(nm.begin() + begin, nm.begin() + end);
+    power = std::vector<double>(power.begin() + begin, power.begin() + end);
 }
 
 }  // namespace
@@ -127,7 +145,10 @@ LightSettings read_light(const Table* light, std::optional<int> wavelengths, con
     settings.adaptation = read_word(table, "adapt", "adapt", adaptation_words);
     read_range(table, settings);
     read_illuminant(table, settings, read_curve);
-    if (settings.is_table) check_power(table, settings);
+    if (settings.is_table) {
+        crop_to_range(settings);
+        check_power(table, settings);
+    }
     table.expect_all_read();
     return settings;
 }

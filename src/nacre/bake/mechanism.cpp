@@ -61,6 +61,21 @@ std::vector<Parameter> palette_parameters(const Palette& palette) {
     return parameters;
 }
 
+// Throws Error if two picks lie at one angle and differ.
+void check_picks_differ(const Palette& palette, const Table& table, const Where& where) {
+    const auto& picks = palette.picks;
+    for (std::size_t i = 0; i < picks.size(); ++i) {
+        for (std::size_t j = i + 1; j < picks.size(); ++j) {
+            const double distance_deg = std::abs(picks[i].angle_deg - picks[j].angle_deg);
+            if (distance_deg >= smallest_pick_distance_deg || picks[i] == picks[j]) continue;
+            table.fail(where, "picks[" + std::to_string(i) + "] and picks[" + std::to_string(j) +
+                                  "] are different colours at one angle, " + number_text(picks[i].angle_deg) +
+                                  " degrees; allowed are angles at least " + number_text(smallest_pick_distance_deg) +
+                                  " degrees apart");
+        }
+    }
+}
+
 Palette read_palette(const Table& table) {
     Palette palette;
     const Value* picks = table.find("picks");
@@ -104,6 +119,8 @@ constexpr std::array mechanism_rows{
     MechanismRow{"palette", [](const Table& table) -> Mechanism { return read_palette(table); }},
 };
 
+static_assert(mechanism_rows.size() == std::variant_size_v<Mechanism>, "one row per mechanism, in Mechanism's order");
+
 }  // namespace
 
 std::vector<Parameter> parameters_of(const Mechanism& mechanism) {
@@ -132,20 +149,6 @@ std::string mechanism_toml(const Mechanism& mechanism) {
         std::string operator()(const Palette& palette) const { return palette_toml(palette); }
     };
     return std::visit(Visitor{}, mechanism);
-}
-
-void check_picks_differ(const Palette& palette, const Table& table, const Where& where) {
-    const auto& picks = palette.picks;
-    for (std::size_t i = 0; i < picks.size(); ++i) {
-        for (std::size_t j = i + 1; j < picks.size(); ++j) {
-            const double distance_deg = std::abs(picks[i].angle_deg - picks[j].angle_deg);
-            if (distance_deg >= smallest_pick_distance_deg || picks[i] == picks[j]) continue;
-            table.fail(where, "picks[" + std::to_string(i) + "] and picks[" + std::to_string(j) +
-                                  "] are different colours at one angle, " + number_text(picks[i].angle_deg) +
-                                  " degrees; allowed are angles at least " + number_text(smallest_pick_distance_deg) +
-                                  " degrees apart");
-        }
-    }
 }
 
 }  // namespace nacre

@@ -42,7 +42,4 @@ Mechanism read_mechanism(const Table& table);
 /// What the user wrote so as to get this mechanism: the lines below a [material.NAME] heading, in TOML.
 std::string mechanism_toml(const Mechanism& mechanism);
 
-/// Throws Error if two picks lie at one angle and differ. Axes over an angle need the same check, hence the name.
-void check_picks_differ(const Palette& palette, const Table& table, const Where& where);
-
 }  // namespace nacre

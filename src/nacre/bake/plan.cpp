@@ -1,7 +1,5 @@
 #include "nacre/bake/plan.h"
 
-#include <cmath>
-
 #include "nacre/bake/names.h"
 #include "nacre/bake/output_names.h"
 #include "nacre/bake/plan_tables.h"
@@ -51,15 +49,12 @@ private:
                                              " miss all the light of illuminant " +
                                              in_quotes(light.settings.illuminant) + "; give more of them");
         }
-        const Xyz adapted = adapt(light.adaptation, light.white());
-        const Xyz d65 = xyz_from_chromaticity(d65_chromaticity);
-        const bool adapts =
-            std::abs(adapted.x - d65.x) + std::abs(adapted.y - d65.y) + std::abs(adapted.z - d65.z) < 1e-9;
-        if (light.settings.adaptation != Adaptation::none && !adapts) {
-            scene_.table("light")->fail_at(
-                "illuminant", "the white of illuminant " + in_quotes(light.settings.illuminant) +
-                                  " cannot be adapted to D65; use adapt = \"none\" or a light with a broader spectrum");
-        }
+        if (can_adapt_from(light.settings.adaptation, light.white())) return;
+        const Table* table = scene_.table("light");
+        const std::string message =
+            "the white of illuminant " + in_quotes(light.settings.illuminant) +
+            " cannot be adapted to D65; use adapt = \"none\", more wavelengths, or a broader spectrum";
+        table != nullptr ? table->fail_at("illuminant", message) : scene_.fail_at("accuracy", message);
     }
 
     void read_colour() {

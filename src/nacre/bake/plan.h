@@ -47,9 +47,8 @@ struct PlannedSwatch {
     std::string name;
     SwatchKind kind = SwatchKind::strip;
     std::string title;
-    std::vector<Job> jobs;           ///< plane, strip, sphere: one; palette: one per pick shown
-    std::vector<std::size_t> picks;  ///< palette: which pick each job is about
-    std::string display;             ///< empty: the config's default
+    std::vector<Job> jobs;  ///< plane, strip, sphere: one; palette: one per pick shown
+    std::string display;    ///< empty: the config's default
     std::string view;
     Gamut gamut = Gamut::compress;  ///< compress or clip: how colours that an sRGB display lacks are shown
     Where where;

@@ -28,13 +28,11 @@ void show_lut(const Table& table, const Value& value, const Plan& plan, PlannedS
 
 void show_material(const Table& table, const Plan& plan, PlannedSwatch& swatch) {
     swatch.jobs = swatch_jobs(swatch.kind, material_of(table, plan.materials), plan.light);
-    for (std::size_t i = 0; i < swatch.jobs.size(); ++i) swatch.picks.push_back(i);
     if (swatch.kind != SwatchKind::palette) return;
     const Allowed allowed_pick{0.0, static_cast<double>(swatch.jobs.size() - 1)};
     const int pick = table.integer_or("pick", allowed_pick, -1);
     if (pick < 0) return;
-    swatch.picks = {static_cast<std::size_t>(pick)};
-    swatch.jobs = {Job(swatch.jobs[swatch.picks.front()])};
+    swatch.jobs = {Job(swatch.jobs[static_cast<std::size_t>(pick)])};
 }
 
 }  // namespace
@@ -43,7 +41,8 @@ PlannedSwatch read_swatch(const Table& table, const Table::Entry& entry, const P
     PlannedSwatch swatch;
     swatch.name = entry.key;
     swatch.where = entry.key_where;
-    swatch.kind = meaning_of(swatch_words, "swatch", table.text("draw"), table, table.find("draw")->where);
+    const std::string draw = table.text("draw");
+    swatch.kind = meaning_of(swatch_words, "swatch", draw, table, table.find("draw")->where);
     swatch.display = table.text_or("display", "");
     swatch.view = table.text_or("view", "");
     swatch.gamut = read_word(table, "gamut", "gamut", swatch_gamut_words);

@@ -33,7 +33,7 @@ struct PlotArea {
 /// The inverse of an axis: the coordinate of an angle in degrees or of a parameter's value. In [0, 1] within the axis.
 double axis_coordinate(const Axis& axis, double value);
 
-/// "peak wavelength of every pick (nm)", "angle θ (sqrt_cos_theta)"
+/// "peak wavelength of every pick (nm)", "angle (sqrt_cos_theta)"
 std::string axis_title(const Axis& axis);
 
 /// A mark on an axis.

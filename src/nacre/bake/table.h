@@ -86,7 +86,7 @@ public:
     const Value::Array& checked_array(std::string_view key, const Value& value) const;
     const Table& checked_table(std::string_view key, const Value& value) const;
 
-    /// @throws Error for the first key that nobody read, with the known ones that look like it
+    /// @throws Error for the first key that nobody read, with the known ones
     void expect_all_read() const;
 
     [[noreturn]] void fail(const Where& where, std::string_view message) const;

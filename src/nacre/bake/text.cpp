@@ -8,7 +8,11 @@ namespace nacre {
 std::string number_text(double value) {
     char buffer[32];
     const auto result = std::to_chars(buffer, buffer + sizeof buffer, value);
-    return {buffer, result.ptr};
+    std::string text(buffer, result.ptr);
+    // Sixteen digits and more are a whole number that TOML's integers may not hold.
+    constexpr std::size_t safe_digits = 15;
+    if (text.size() > safe_digits && text.find_first_not_of("-0123456789") == std::string::npos) text += ".0";
+    return text;
 }
 
 std::string toml_string(std::string_view text) {

@@ -13,11 +13,21 @@ const glm::dmat3 cat16_cones = glm::transpose(glm::dmat3(0.401288, 0.650173, -0.
                                                          -0.250268, 1.204414, 0.045854,  //
                                                          -0.002079, 0.048952, 0.953127));
 
+const glm::dmat3& cones_of(Adaptation method) {
+    return method == Adaptation::bradford ? bradford_cones : cat16_cones;
+}
+
 }  // namespace
+
+bool can_adapt_from(Adaptation method, Xyz white) {
+    if (method == Adaptation::none) return true;
+    const glm::dvec3 response = cones_of(method) * glm::dvec3(white.x, white.y, white.z);
+    return response.x > 0.0 && response.y > 0.0 && response.z > 0.0;
+}
 
 glm::dmat3 adaptation_matrix(Adaptation method, Xyz from_white, Xyz to_white) {
     if (method == Adaptation::none) return glm::dmat3(1.0);
-    const glm::dmat3& cones = method == Adaptation::bradford ? bradford_cones : cat16_cones;
+    const glm::dmat3& cones = cones_of(method);
     const glm::dvec3 from = cones * glm::dvec3(from_white.x, from_white.y, from_white.z);
     const glm::dvec3 to = cones * glm::dvec3(to_white.x, to_white.y, to_white.z);
     glm::dmat3 scale(0.0);

@@ -15,6 +15,9 @@ enum class Adaptation { bradford, cat16, none };
 /// @pre both whites have positive cone responses
 glm::dmat3 adaptation_matrix(Adaptation method, Xyz from_white, Xyz to_white);
 
+/// Whether a white can be adapted from: every cone responds to it. Lights of a few wavelengths may fail.
+bool can_adapt_from(Adaptation method, Xyz white);
+
 /// matrix * colour
 Xyz adapt(const glm::dmat3& matrix, Xyz colour);
 

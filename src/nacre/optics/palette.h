@@ -33,7 +33,8 @@ struct Palette {
     friend bool operator==(const Palette&, const Palette&) = default;
 };
 
-/// Angles that are closer than this count as one: the difference of their Y would underflow next to the normal.
+/// Angles that are closer than this count as one: nobody means two colours so near each other, and the slope between
+/// them means nothing.
 inline constexpr double smallest_pick_distance_deg = 1e-9;
 
 /// Y(a) - Y(b) without cancellation: cos a - cos b = -2 sin((a + b) / 2) sin((a - b) / 2).

@@ -90,6 +90,22 @@ TEST(Bake, SampledSpectraApproachTheExactIntegralAsTheirStepShrinks) {
     EXPECT_LT(last, 1e-5);
 }
 
+TEST(Bake, SampledWhiteIsWhiteAfterAdaptation) {
+    // A lobe so wide that it is 1 all over the range, to within 1 - cos(pi * 235 / 1e9).
+    const Palette white{{{0, {595, 1e9, 1}}, {40, {595, 1e9, 1}}}};
+    for (const int nodes : {7, 95}) {
+        LightSettings settings;
+        settings.power = *illuminant_by_name("A");
+        settings.wavelengths = nodes;
+        const Light light = make_light(settings);
+        const Xyz seen = adapt(light.adaptation, reflectance_xyz(white, Incidence::from_degrees(0), light));
+        const Xyz d65 = xyz_from_chromaticity(d65_chromaticity);
+        EXPECT_NEAR(seen.x, d65.x, 1e-12) << nodes;
+        EXPECT_NEAR(seen.y, d65.y, 1e-12) << nodes;
+        EXPECT_NEAR(seen.z, d65.z, 1e-12) << nodes;
+    }
+}
+
 TEST(Bake, PaperSettingReproducesThePapersWhite) {
     LightSettings settings;
     settings.power = *illuminant_by_name("E");

@@ -40,7 +40,6 @@ PlannedSwatch planned(SwatchKind kind, const Material& material) {
     swatch.kind = kind;
     swatch.title = material.name;
     swatch.jobs = swatch_jobs(kind, material, daylight());
-    for (std::size_t i = 0; i < swatch.jobs.size(); ++i) swatch.picks.push_back(i);
     return swatch;
 }
 

@@ -13,6 +13,18 @@ TEST(RgbSpace, MatrixOfRec709IsTheOneThatCssColor4Derives) {
     EXPECT_NEAR(matrix[2][0], -1974.0 / 3959.0, 1e-14);
 }
 
+TEST(RgbSpace, PrimariesAreThoseOfTheStandards) {
+    // SMPTE EG 432-1, ITU-R BT.2020, Adobe RGB (1998), SMPTE ST 2065-1, AMPAS S-2014-004.
+    const RgbPrimaries p3 = *primaries_by_interop_id("lin_p3d65_scene");
+    EXPECT_EQ(p3.red, (Chromaticity{0.680, 0.320}));
+    EXPECT_EQ(p3.green, (Chromaticity{0.265, 0.690}));
+    EXPECT_EQ(p3.blue, (Chromaticity{0.150, 0.060}));
+    EXPECT_EQ(primaries_by_interop_id("lin_rec2020_scene")->green, (Chromaticity{0.170, 0.797}));
+    EXPECT_EQ(primaries_by_interop_id("lin_adobergb_scene")->green, (Chromaticity{0.21, 0.71}));
+    EXPECT_EQ(primaries_by_interop_id("lin_ap0_scene")->blue, (Chromaticity{0.0001, -0.0770}));
+    EXPECT_EQ(primaries_by_interop_id("lin_ap1_scene")->red, (Chromaticity{0.713, 0.293}));
+}
+
 TEST(RgbSpace, WhiteOfEverySpaceIsOneOneOne) {
     for (const char* id : {"lin_rec709_scene", "lin_p3d65_scene", "lin_rec2020_scene", "lin_adobergb_scene",
                            "lin_ap0_scene", "lin_ap1_scene"}) {

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <numbers>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -243,6 +245,24 @@ TEST(Palette, DefaultShapeFollowsTheBraggLawOfChitinWithinTwoThousandths) {
     EXPECT_LT(worst_misfit_to_bragg(1.56, Palette::default_shape), 2e-3);
     EXPECT_GT(worst_misfit_to_bragg(1.56, Palette::default_shape - 0.02), 2e-3);
     EXPECT_GT(worst_misfit_to_bragg(1.56, Palette::default_shape + 0.02), 2e-3);
+}
+
+// With p = 0, Y is cos(theta): picks at cosines 1, 0.8 and 0.2 are 0.2 and 0.6 apart, and nothing is symmetric.
+TEST(Palette, SlopeAtAnInnerPickIsTheWeightedHarmonicMeanOfItsSecants) {
+    const auto degrees = [](double cosine) { return std::acos(cosine) * 180.0 / std::numbers::pi; };
+    const Palette palette{{{0.0, {500, 100, 0.5}}, {degrees(0.8), {480, 100, 0.5}}, {degrees(0.2), {360, 100, 0.5}}},
+                          0.0};
+    // Secants in Y = cos(theta): 20 / 0.2 = 100 and 120 / 0.6 = 200. Fritsch & Butland, steps h1 = 0.2 and h2 = 0.6:
+    // (3 h1 + 3 h2) / ((2 h2 + h1) / 100 + (h2 + 2 h1) / 200) = 2.4 / (0.014 + 0.005) = 126.3157...
+    const double slope = 2.4 / 0.019;
+    const double step = 1e-6;
+    const double at = palette_lobe(palette, Incidence::from_cos(0.8)).peak_nm;
+    const double above = palette_lobe(palette, Incidence::from_cos(0.8 + step)).peak_nm;
+    const double below = palette_lobe(palette, Incidence::from_cos(0.8 - step)).peak_nm;
+    EXPECT_NEAR(at, 480.0, 1e-9);
+    // One-sided differences of a cubic with a second derivative of order 1e3.
+    EXPECT_NEAR((above - at) / step, slope, 0.01);
+    EXPECT_NEAR((at - below) / step, slope, 0.01);
 }
 
 }  // namespace

@@ -1,0 +1,97 @@
+#include "io/verify_lut.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "io/baked_lut.h"
+#include "io/hash.h"
+#include "io/scene_file.h"
+#include "nacre/error.h"
+
+namespace nacre {
+namespace {
+
+constexpr std::size_t longest_scene = 16u << 20;
+
+// Every attribute that a header must have; the rest depends on the LUT.
+constexpr std::array required_attributes{"version",          "scene",           "sceneHash",   "lut",
+                                         "material",         "mechanism",       "axisX",       "size",
+                                         "sampling",         "illuminant",      "observer",    "adapt",
+                                         "rangeNm",          "integration",     "colourSpace", "colourConfig",
+                                         "colourConfigHash", "colourTransform", "gamut",       "format"};
+
+// What only says where the transform came from, or which program wrote it.
+bool is_about_origin(const std::string& name) {
+    return name == "version" || name == "colourConfig" || name == "colourConfigHash";
+}
+
+Plan plan_of_header(const StoredLut& stored) {
+    const std::string scene = stored.header.value("scene");
+    if (scene.empty() || stored.header.value("colourTransform").empty()) {
+        throw Error("the header does not say how the LUT was made");
+    }
+    if (scene.size() > longest_scene) throw Error("the scene in the header is longer than 16 MB");
+    if (hash_text(scene) != stored.header.value("sceneHash")) {
+        throw Error("the scene in the header is not the one that its hash was made of");
+    }
+    Plan plan =
+        plan_scene(parse_scene(scene, "header"), [](const std::string& file, const Where& where) -> SampledCurve {
+            throw Error(where.text() + ": names the file " + file);
+        });
+    if (plan.luts.size() != 1 || !plan.swatches.empty()) throw Error("the scene in the header holds more than one LUT");
+    const PlannedLut& lut = plan.luts.front();
+    if (lut.job.width != stored.image.width() || lut.job.height != stored.image.height()) {
+        throw Error("the scene in the header makes another size");
+    }
+    if (lut.format != stored.format) throw Error("the scene in the header asks for another number format");
+    return plan;
+}
+
+void compare_headers(const LutHeader& stored, const LutHeader& derived, Verification& result) {
+    for (const auto& [name, value] : derived.nacre) {
+        if (!is_about_origin(name) && stored.value(name) != value) result.wrong.push_back("nacre:" + name);
+    }
+    for (const auto& [name, value] : stored.nacre) {
+        if (derived.value(name).empty() && !is_about_origin(name)) result.wrong.push_back("nacre:" + name);
+    }
+    if (stored.interop_id != derived.interop_id) result.wrong.emplace_back("colorInteropID");
+    if (stored.chromaticities != derived.chromaticities) result.wrong.emplace_back("chromaticities");
+}
+
+void compare_texels(const StoredLut& stored, const Image<Rgb>& derived, Verification& result) {
+    for (std::size_t i = 0; i < stored.image.size(); ++i) {
+        for (double Rgb::*component : {&Rgb::r, &Rgb::g, &Rgb::b}) {
+            const double again = stored_value(derived.data()[i].*component, stored.format);
+            const double difference = std::abs(again - stored.image.data()[i].*component);
+            if (difference == 0.0) continue;
+            ++result.differing;  // NaN differs too
+            result.largest_difference =
+                std::isnan(difference) ? difference : std::max(result.largest_difference, difference);
+        }
+    }
+}
+
+}  // namespace
+
+Verification verify_lut(const StoredLut& stored) {
+    Verification result;
+    for (const char* name : required_attributes) {
+        if (stored.header.value(name).empty()) result.missing.emplace_back(name);
+    }
+    try {
+        const Plan plan = plan_of_header(stored);
+        const auto transform =
+            ColourTransform::from_ctf(stored.header.value("colourTransform"), plan.colour.space, "header");
+        const BakedLut again = bake_lut(plan.luts.front(), plan.colour, {}, transform);
+        compare_headers(stored.header, again.header, result);
+        compare_texels(stored, again.image, result);
+    } catch (const IoError&) {
+        throw;  // the system's refusal says nothing about the LUT
+    } catch (const Error& error) {
+        result.problem = error.what();
+    }
+    return result;
+}
+
+}  // namespace nacre

@@ -132,7 +132,7 @@ std::string swatch_bytes(const PlannedSwatch& swatch, const ColourTransform& tra
 Outcome bake_one_lut(const Task& task, const Target& target) {
     const LoadedScene& scene = *task.scene;
     const PlannedLut& lut = *task.lut;
-    const BakedLut baked = bake_lut(lut, scene.plan.colour, scene.source, scene.transform);
+    const BakedLut baked = bake_lut(lut, scene.plan.colour, scene.source, scene.transform, throw_if_stopped);
     const std::string manifest = manifest_json(lut, baked);
     Outcome outcome;
     outcome.unchanged = true;

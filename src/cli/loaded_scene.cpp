@@ -19,13 +19,26 @@ ColourConfigChoice config_choice(const Plan& plan, const std::string& scene_path
     return {file.string(), colour.interchange, colour.config_where.text() + " [colour]"};
 }
 
+// Linear Rec.709 is the default, and every config calls it something else.
+ColourTransform target_transform(const ColourConfig& config, const ColourSettings& colour, const std::string& where) {
+    if (!colour.is_space_given) {
+        const std::vector<std::string> known = config.colour_spaces();
+        for (const char* name : {"lin_rec709_scene", "Linear Rec.709 (sRGB)", "lin_srgb", "Utility - Linear - sRGB"}) {
+            if (std::find(known.begin(), known.end(), name) == known.end()) continue;
+            if (std::find(known.begin(), known.end(), colour.space) == known.end())
+                return config.to_colour_space(name, where);
+        }
+    }
+    return config.to_colour_space(colour.space, where);
+}
+
 }  // namespace
 
 LoadedScene load_scene(const std::string& path, const std::string& ocio, bool want_swatches, Console& console) {
     Plan plan = plan_scene(read_scene_file(path), curve_reader());
     const ColourConfig config = ColourConfig::open(config_choice(plan, path, ocio));
     const std::string where = plan.colour.space_where.line > 0 ? plan.colour.space_where.text() + " [colour]" : path;
-    ColourTransform transform = config.to_colour_space(plan.colour.space, where);
+    ColourTransform transform = target_transform(config, plan.colour, where);
     if (plan.colour.gamut == Gamut::compress && !transform.linear_matrix()) {
         throw Error(where + ": gamut = \"compress\" needs a linear space, and " + transform.target() +
                     " is none; use clip or keep");

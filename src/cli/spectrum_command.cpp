@@ -50,7 +50,8 @@ public:
         throw_if_stopped();
         if (console_.json()) {
             nlohmann::ordered_json object;
-            for (std::size_t i = 0; i < texts.size(); ++i) object[text_names_[i]] = texts[i];
+            object[text_names_.front()] = texts.front();
+            for (std::size_t i = 1; i < texts.size(); ++i) object[text_names_[i]] = std::stod(texts[i]);
             for (std::size_t i = 0; i < numbers.size(); ++i) object[number_names_[i]] = numbers[i];
             json_.push_back(std::move(object));
             return;
@@ -133,12 +134,14 @@ private:
             rows.erase(rows.begin());
         std::vector<Point> points;
         for (const CsvRow& row : rows) {
-            const std::string where = options_.points + ":" + std::to_string(row.line);
+            const std::string where =
+                options_.points + ":" + std::to_string(row.line) + ":" + std::to_string(row.columns.front());
             if (row.fields.size() != columns) {
                 throw Error(where + ": has " + std::to_string(row.fields.size()) + " columns; give " + heading);
             }
             Point point{&material(row.fields[0], where), row.fields[1], csv_number(options_.points, row, 1), {}, 0.0};
-            check_angle(point.angle_deg, where);
+            check_angle(point.angle_deg,
+                        options_.points + ":" + std::to_string(row.line) + ":" + std::to_string(row.columns[1]));
             if (!options_.xyz) {
                 point.wavelength_text = row.fields[2];
                 point.wavelength_nm = csv_number(options_.points, row, 2);

@@ -32,7 +32,7 @@ int run_verify(const std::vector<std::string>& files, Console& console) {
         throw_if_stopped();
         try {
             const StoredLut stored = read_lut(file);
-            const Verification found = verify_lut(stored);
+            const Verification found = verify_lut(stored, throw_if_stopped);
             if (!found.passed() && code == exit_done) code = exit_not_verified;
             console.summary(file + ": " + verdict_text(stored, found));
             json.push_back({{"file", file},

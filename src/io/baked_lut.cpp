@@ -95,9 +95,9 @@ std::string_view nacre_version() {
 }
 
 BakedLut bake_lut(const PlannedLut& lut, const ColourSettings& colour, const ColourSource& source,
-                  const ColourTransform& transform) {
+                  const ColourTransform& transform, const AfterRow& after_row) {
     BakedLut baked;
-    const Image<Xyz> xyz = bake(lut.job);
+    const Image<Xyz> xyz = bake(lut.job, after_row);
     baked.image = transform.apply(xyz);
     baked.gamut = fit_to_gamut(colour.gamut, baked.image, xyz);
     if (const auto* palette = std::get_if<Palette>(&lut.job.material.mechanism))

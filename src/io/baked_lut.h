@@ -6,6 +6,7 @@
 
 #include "io/colour_config.h"
 #include "io/lut_file.h"
+#include "nacre/bake/bake.h"
 #include "nacre/bake/gamut.h"
 #include "nacre/bake/plan.h"
 
@@ -31,7 +32,7 @@ struct ColourSource {
 /// XYZ of every texel, through the colour transform and the gamut's rule, with its header.
 /// Throws Error if the space cannot hold the colours (not finite).
 BakedLut bake_lut(const PlannedLut& lut, const ColourSettings& colour, const ColourSource& source,
-                  const ColourTransform& transform);
+                  const ColourTransform& transform, const AfterRow& after_row = {});
 
 /// The manifest: JSON for tools, ending in a newline. No date, host or path.
 std::string manifest_json(const PlannedLut& lut, const BakedLut& baked);

@@ -49,7 +49,10 @@ public:
     /// OpenColorIO 2.1 reads files only, so a private temporary file is written and removed at once.
     /// @param where  for messages
     /// @throws Error for text that is no CTF, is too long (64 MiB), or refers to other files; IoError
-    static ColourTransform from_ctf(const std::string& text, const std::string& target_name, const std::string& where);
+    /// @param interop_id  which of the ids that the numbers allow is meant: a texture and a display may be encoded
+    /// alike
+    static ColourTransform from_ctf(const std::string& text, const std::string& target_name, const std::string& where,
+                                    const std::string& interop_id = {});
 
     struct Impl;
     explicit ColourTransform(std::shared_ptr<const Impl> impl);

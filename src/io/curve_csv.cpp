@@ -27,13 +27,14 @@ std::string_view unquoted(std::string_view text) {
     return text.size() >= 2 && text.front() == '"' && text.back() == '"' ? text.substr(1, text.size() - 2) : text;
 }
 
-std::vector<std::string> split(std::string_view line) {
-    std::vector<std::string> fields;
-    for (;;) {
-        const std::size_t end = line.find_first_of(",;\t");
-        fields.emplace_back(unquoted(trimmed(line.substr(0, end))));
-        if (end == std::string_view::npos) return fields;
-        line.remove_prefix(end + 1);
+CsvRow split(int line, std::string_view content) {
+    CsvRow row{line, {}, {}};
+    for (std::size_t begin = 0;;) {
+        const std::size_t end = content.find_first_of(",;\t", begin);
+        row.fields.emplace_back(unquoted(trimmed(content.substr(begin, end - begin))));
+        row.columns.push_back(static_cast<int>(begin) + 1);
+        if (end == std::string_view::npos) return row;
+        begin = end + 1;
     }
 }
 
@@ -61,7 +62,7 @@ std::vector<CsvRow> read_csv(const std::string& path) {
         if (content.empty() || content.front() == '#') continue;
         if (rows.size() >= most_rows)
             throw Error(place(path, line) + "more than " + std::to_string(most_rows) + " rows");
-        rows.push_back({line, split(content)});
+        rows.push_back(split(line, content));
     }
     return rows;
 }
@@ -73,7 +74,8 @@ double csv_number(const std::string& path, const CsvRow& row, std::size_t column
     }
     double number = 0.0;
     if (!parse_number(row.fields[column], number) || !std::isfinite(number)) {
-        throw Error(place(path, row.line) + in_quotes(row.fields[column]) + " is not a finite number");
+        throw Error(path + ":" + std::to_string(row.line) + ":" + std::to_string(row.columns[column]) + ": " +
+                    in_quotes(row.fields[column]) + " is not a finite number");
     }
     return number;
 }

@@ -11,6 +11,7 @@ namespace nacre {
 struct CsvRow {
     int line = 0;
     std::vector<std::string> fields;  ///< without surrounding blanks and quotes
+    std::vector<int> columns;         ///< where each field begins in its line, from 1
 };
 
 /// Separators: comma, semicolon or tab. A byte order mark and CRLF are accepted. Throws IoError, or Error beyond

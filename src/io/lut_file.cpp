@@ -63,6 +63,21 @@ std::vector<Component> components(const Image<Rgb>& image) {
     return result;
 }
 
+std::string contract_breach(OIIO::ImageInput& input) {
+    const OIIO::ImageSpec& spec = input.spec();
+    if (spec.channelnames != std::vector<std::string>{"R", "G", "B"}) return "the channels are not R, G, B";
+    if (spec.tile_width != 0) return "the file is tiled; a LUT has scanlines";
+    if (spec.get_string_attribute("compression") != "none") return "the file is compressed; a LUT is not";
+    if (spec.x != 0 || spec.y != 0 || spec.full_x != 0 || spec.full_y != 0 || spec.full_width != spec.width ||
+        spec.full_height != spec.height) {
+        return "the data window is not the display window at (0, 0)";
+    }
+    if (spec.format != OIIO::TypeDesc::HALF && spec.format != OIIO::TypeDesc::FLOAT) return "the numbers are no floats";
+    if (input.seek_subimage(1, 0)) return "the file has several parts; a LUT has one";
+    input.seek_subimage(0, 0);
+    return {};
+}
+
 }  // namespace
 
 std::string LutHeader::value(const std::string& name) const {
@@ -100,7 +115,7 @@ std::string encode_lut(const Image<Rgb>& image, PixelFormat format, const LutHea
 StoredLut read_lut(const std::string& path) {
     const auto input = OIIO::ImageInput::open(path);
     if (!input) throw IoError(path + ": cannot be read: " + OIIO::geterror());
-    const OIIO::ImageSpec& spec = input->spec();
+    const OIIO::ImageSpec spec = input->spec();
     if (std::string_view(input->format_name()) != "openexr")
         throw Error(path + ": is no EXR file; nacre writes LUTs as EXR");
     if (spec.nchannels != 3 || spec.width < 1 || spec.height < 1 || spec.width > largest_stored_side ||
@@ -110,6 +125,7 @@ StoredLut read_lut(const std::string& path) {
                     std::to_string(largest_stored_side) + " texels a side");
     }
     StoredLut lut;
+    lut.breach = contract_breach(*input);
     lut.format = spec.format == OIIO::TypeDesc::HALF ? PixelFormat::half_float : PixelFormat::single_float;
     std::vector<float> values(static_cast<std::size_t>(spec.width) * static_cast<std::size_t>(spec.height) * 3);
     if (!input->read_image(0, 0, 0, 3, OIIO::TypeDesc::FLOAT, values.data()))

@@ -35,6 +35,7 @@ struct StoredLut {
     Image<Rgb> image;
     PixelFormat format = PixelFormat::half_float;
     LutHeader header;
+    std::string breach;  ///< how the file breaks the LUT contract (channels, parts, tiles, compression); empty if not
 };
 
 /// Reads back what encode_lut() wrote. Throws IoError if the file cannot be read as an EXR, Error if it is none of

@@ -100,7 +100,23 @@ void merge(Table& into, const Table& from) {
     }
 }
 
+// toml++ follows a dotted key by recursion and has no limit of its own: a.a.a. ... would end the process.
+void check_dotted_keys(const std::string& text, const std::string& name) {
+    constexpr int most_dots = 200;
+    int dots = 0;
+    int line = 1;
+    for (const char c : text) {
+        if (c == '\n') ++line;
+        if (c == '\n' || c == '=' || c == ',' || c == '{') dots = 0;
+        if (c == '.' && ++dots > most_dots) {
+            throw Error(Where{name, line, 0}.text() + ": more than " + std::to_string(most_dots) +
+                        " dots in a row of names; no scene is nested so deeply");
+        }
+    }
+}
+
 Table parse(const std::string& text, const std::string& name) {
+    check_dotted_keys(text, name);
     try {
         const toml::table source = toml::parse(text, name);
         Table table("", {name, 0, 0});

@@ -27,6 +27,7 @@ bool is_about_origin(const std::string& name) {
 }
 
 Plan plan_of_header(const StoredLut& stored) {
+    if (!stored.breach.empty()) throw Error(stored.breach);
     const std::string scene = stored.header.value("scene");
     if (scene.empty() || stored.header.value("colourTransform").empty()) {
         throw Error("the header does not say how the LUT was made");
@@ -74,16 +75,16 @@ void compare_texels(const StoredLut& stored, const Image<Rgb>& derived, Verifica
 
 }  // namespace
 
-Verification verify_lut(const StoredLut& stored) {
+Verification verify_lut(const StoredLut& stored, const AfterRow& after_row) {
     Verification result;
     for (const char* name : required_attributes) {
         if (stored.header.value(name).empty()) result.missing.emplace_back(name);
     }
     try {
         const Plan plan = plan_of_header(stored);
-        const auto transform =
-            ColourTransform::from_ctf(stored.header.value("colourTransform"), plan.colour.space, "header");
-        const BakedLut again = bake_lut(plan.luts.front(), plan.colour, {}, transform);
+        const auto transform = ColourTransform::from_ctf(stored.header.value("colourTransform"), plan.colour.space,
+                                                         "header", stored.header.interop_id);
+        const BakedLut again = bake_lut(plan.luts.front(), plan.colour, {}, transform, after_row);
         compare_headers(stored.header, again.header, result);
         compare_texels(stored, again.image, result);
     } catch (const IoError&) {

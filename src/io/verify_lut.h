@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "io/lut_file.h"
+#include "nacre/bake/bake.h"
 
 namespace nacre {
 
@@ -25,6 +26,7 @@ struct Verification {
 /// transform's own interop id and chromaticities are compared. Reads no file but a temporary one of its own; hostile
 /// headers are refused before anything large is computed.
 /// @throws IoError if the system refuses that file
-Verification verify_lut(const StoredLut& stored);
+/// @param after_row  called during the re-bake; what it throws ends it
+Verification verify_lut(const StoredLut& stored, const AfterRow& after_row = {});
 
 }  // namespace nacre

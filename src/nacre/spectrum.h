@@ -15,8 +15,8 @@ struct WavelengthGrid {
     /// @param node  0 .. count - 1
     double wavelength_nm(int node) const {
         assert(node >= 0 && node < count);
-        const double t = static_cast<double>(node) / (count - 1);
-        return (1.0 - t) * first_nm + t * last_nm;
+        // In this order whole nanometres come out as such.
+        return first_nm + (last_nm - first_nm) * node / (count - 1);
     }
     friend bool operator==(const WavelengthGrid&, const WavelengthGrid&) = default;
 };

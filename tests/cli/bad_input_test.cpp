@@ -51,6 +51,12 @@ const std::vector<Mistake> mistakes{
      ":1:1: unknown key \"illuminant\"; known: include, nacre, accuracy, light, colour, material, lut, swatch"},
     {"UnknownKey", scene("colour = \"red\"\n"),
      ":4:1 [material.m]: unknown key \"colour\"; known: mechanism, picks, shape"},
+    {"MisspeltRequiredKey", "[material.m]\npiks = []\n",
+     ":2:1 [material.m]: unknown key \"piks\"; did you mean picks?"},
+    {"MisspeltHeading", "[materail.m]\n", ":1:2: unknown key \"materail\"; did you mean material?"},
+    {"ControlCharacters", scene("[lut.a]\nmaterial = \"m\\u0000\"\n"),
+     ":5:12 [lut.a]: material is 2 bytes with control characters among them; allowed is plain text of up to 4096 "
+     "bytes"},
     {"KeyOfLaterWork", scene("[accuracy]\nmax_de00 = 0.1\n"),
      ":5:1 [accuracy]: unknown key \"max_de00\"; known: wavelengths, size"},
     {"WrongType", picks("angle_deg = \"0\", peak_nm = 460, width_nm = 70, height = 1", pick_b),
@@ -140,7 +146,7 @@ const std::vector<Mistake> mistakes{
     {"NameThatLeavesTheFolder", scene("[lut.\"../a\"]\n"),
      ":4:6 [lut]: the name \"../a\" cannot be a file's name; allowed are 1 to 100 of A-Z a-z 0-9 _ - . (not first: - "
      ".)"},
-    {"NoMaterial", "nacre = 1\n", ": no [material.NAME]; a scene needs one"},
+    {"NoMaterial", "nacre = 1\n", ": material is missing; a scene needs a [material.NAME]"},
     {"NewerFormat", "nacre = 2\n" + scene(""), ":1:9: nacre = 2 is out of range; allowed [1, 1]"},
     {"NoToml", "[material.m\n", ""},
     {"DuplicateKey", scene("shape = 1\nshape = 0\n"), ""},
@@ -152,7 +158,7 @@ const std::vector<Mistake> mistakes{
      ":5:14 [light]: the white of illuminant \"table\" cannot be adapted to D65; use adapt = \"none\", more "
      "wavelengths, or a broader spectrum"},
     {"LightThatIsNegative", scene("[light]\nilluminant = { wavelength_nm = [360, 830], power = [1, -1] }\n"),
-     ":5:61 [light]: power = -1 is out of range; allowed [0, 1e+30]"},
+     ":5:56 [light]: power = -1 is out of range; allowed [0, 1e+30]"},
     {"UnknownLutOfASwatch", scene("[swatch.a]\ndraw = \"strip\"\nlut = \"b\"\n"), ""},
     {"UnknownDisplay", scene("[swatch.a]\ndraw = \"strip\"\ndisplay = \"IMAX\"\n"), ""},
     {"IncludeOfNothing", "include = [\"none.toml\"]\n" + scene(""), ""},
@@ -257,13 +263,13 @@ TEST(BadPoints, RowsAreCheckedBeforeAnythingIsPrinted) {
     folder.file("s.toml", scene(""));
     folder.file("p.csv", "material,angle_deg,wavelength_nm\nm,0,460\nq,0,460\n");
     EXPECT_EQ(error_of({"spectrum", "s.toml", "--points", "p.csv"}, folder, 2),
-              "nacre: p.csv:3: unknown material \"q\"; known: m\n");
+              "nacre: p.csv:3:1: unknown material \"q\"; known: m\n");
     folder.file("p.csv", "m,91,460\n");
     EXPECT_EQ(error_of({"spectrum", "s.toml", "--points", "p.csv"}, folder, 2),
-              "nacre: p.csv:1: angle 91 is out of range; allowed [0, 90] degrees\n");
+              "nacre: p.csv:1:3: angle 91 is out of range; allowed [0, 90] degrees\n");
     folder.file("p.csv", "m,0,nan\n");
     EXPECT_EQ(error_of({"spectrum", "s.toml", "--points", "p.csv"}, folder, 2),
-              "nacre: p.csv:1: \"nan\" is not a finite number\n");
+              "nacre: p.csv:1:5: \"nan\" is not a finite number\n");
 }
 
 }  // namespace

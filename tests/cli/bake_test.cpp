@@ -149,6 +149,34 @@ TEST(Bake, PictureOfALutNeedsADisplayAndSaysSoBeforeAnythingIsWritten) {
     EXPECT_FALSE(std::filesystem::exists(folder.path() / "out"));
 }
 
+TEST(Bake, LutsOfEncodedAndDisplayReferredSpacesVerifyToo) {
+    const TemporaryFolder folder;
+    for (const std::string space : {"srgb_rec709", "srgb_rec709_display", "lin_ciexyzd65_display", "lin_ap0"}) {
+        folder.file("s.toml", std::string(two_picks) + "[colour]\nspace = \"" + space + "\"\n");
+        ASSERT_EQ(bake(folder, {}).exit_code, 0) << space;
+        const ProgramResult result = run_nacre({"verify", (folder.path() / "out/morpho.exr").string()});
+        EXPECT_EQ(result.exit_code, 0) << space << result.out;
+    }
+}
+
+TEST(Bake, DefaultSpaceIsFoundByTheNameThatTheConfigHasForIt) {
+    const TemporaryFolder folder;
+    folder.file("s.toml", two_picks);
+    const std::string configs = std::string(NACRE_SOURCE_DIR) + "/tests/io/ocio/";
+    const ProgramResult ours = bake(folder, {});
+    const std::string lut = (folder.path() / "out/morpho.exr").string();
+    const Image<Rgb> expected = read_lut(lut).image;
+    for (const std::string config : {"cif-core-renderer-1.1.0", "aces-cg-1.0.0", "aces-studio-1.0.0"}) {
+        const ProgramResult result = bake(folder, {"--ocio", configs + config + "/config.ocio"});
+        ASSERT_EQ(result.exit_code, 0) << config << result.err;
+        const StoredLut stored = read_lut(lut);
+        EXPECT_EQ(stored.header.interop_id, "lin_rec709_scene") << config;
+        // Another config's matrix has fewer digits: one unit of a half at 1 is 9.8e-4.
+        for (std::size_t i = 0; i < expected.size(); ++i)
+            EXPECT_NEAR(stored.image.data()[i].b, expected.data()[i].b, 1e-3);
+    }
+}
+
 TEST(Bake, GamutRulesLeaveNoNegativeComponent) {
     const TemporaryFolder folder;
     for (const std::string rule : {"keep", "clip", "compress"}) {

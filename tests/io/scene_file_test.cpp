@@ -26,6 +26,10 @@ TEST(SceneFile, NestingHasALimitAndNoCrash) {
     EXPECT_THROW(parse_scene(deep, "s.toml"), Error);
     const std::string deeper = "a = " + std::string(100000, '[');
     EXPECT_THROW(parse_scene(deeper, "s.toml"), Error);
+    std::string dotted = "a";
+    for (int i = 0; i < 100000; ++i) dotted += ".a";
+    EXPECT_THROW(parse_scene(dotted + " = 1\n", "s.toml"), Error);
+    EXPECT_THROW(parse_scene("[" + dotted + "]\n", "s.toml"), Error);
 }
 
 TEST(SceneFile, SceneOfALutIsAFixedPoint) {

@@ -72,7 +72,7 @@ Xyz exact_xyz(const Job& job, double x, double y) {
     return adapt(job.light->adaptation, seen);
 }
 
-Image<Xyz> bake(const Job& job) {
+Image<Xyz> bake(const Job& job, const AfterRow& after_row) {
     Image<Xyz> image(job.width, job.height);
     const bool rows_share_material = job.x.is_angle();
     for (int row = 0; row < job.height; ++row) {
@@ -83,6 +83,7 @@ Image<Xyz> bake(const Job& job) {
             if (!sampler || !rows_share_material) sampler.emplace(mechanism_at(job, x, y), *job.light);
             image.at(column, row) = adapt(job.light->adaptation, sampler->at(incidence_at(job, x, y)));
         }
+        if (after_row) after_row();
     }
     return image;
 }

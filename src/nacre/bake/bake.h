@@ -1,5 +1,7 @@
 #pragma once
 
+#include <functional>
+
 #include "nacre/bake/image.h"
 #include "nacre/bake/plan.h"
 #include "nacre/colour/colour_types.h"
@@ -24,10 +26,13 @@ Response response_at(const Mechanism& mechanism, const Incidence& incidence, dou
 /// Colour of a mechanism at one angle under a light, before adaptation; the exact integral unless the light samples.
 Xyz reflectance_xyz(const Mechanism& mechanism, const Incidence& incidence, const Light& light);
 
+/// Called after every row of a bake; what it throws ends the bake.
+using AfterRow = std::function<void()>;
+
 /// Every texel of a LUT: XYZ relative to D65 (after adaptation), Y = 1 for the perfect reflector.
 ///
 /// Texel (i, j) is the value at coordinates (i / (width - 1), j / (height - 1)); the first row is the smallest y.
-Image<Xyz> bake(const Job& job);
+Image<Xyz> bake(const Job& job, const AfterRow& after_row = {});
 
 /// The value that texel-centre sampling at (x, y) stands for: what bake() samples. Coordinates in [0, 1].
 Xyz exact_xyz(const Job& job, double x, double y = 0.0);

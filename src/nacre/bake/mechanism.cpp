@@ -79,8 +79,9 @@ void check_picks_differ(const Palette& palette, const Table& table, const Where&
 Palette read_palette(const Table& table) {
     Palette palette;
     const Value* picks = table.find("picks");
-    if (picks == nullptr)
-        table.fail(table.where(), "picks is missing; give two or more, each { angle_deg, peak_nm, width_nm, height }");
+    if (picks == nullptr) {
+        table.fail_missing("picks", "give two or more, each { angle_deg, peak_nm, width_nm, height }");
+    }
     const Value::Array& list = table.checked_array("picks", *picks);
     if (list.size() < 2 || list.size() > most_picks) {
         table.fail(picks->where, "picks has " + std::to_string(list.size()) +

@@ -69,6 +69,7 @@ private:
         colour.space_where = table->where();
         if (const Value* space = table->find("space")) {
             colour.space = table->checked_text("space", *space);
+            colour.is_space_given = true;
             colour.space_where = space->where;
         }
         colour.gamut = read_word(*table, "gamut", "gamut", gamut_words);
@@ -79,7 +80,7 @@ private:
     void read_materials() {
         const Table* materials = scene_.table("material");
         if (materials == nullptr || materials->entries().empty()) {
-            scene_.fail(scene_.where(), "no [material.NAME]; a scene needs one");
+            scene_.fail_missing("material", "a scene needs a [material.NAME]");
         }
         for (const Table::Entry& entry : materials->entries()) {
             const Table& table = materials->checked_table(entry.key, entry.value);

@@ -10,6 +10,8 @@
 namespace nacre {
 namespace {
 
+constexpr std::size_t longest_text = 4096;
+
 std::string interval_text(const Allowed& allowed) {
     std::string text = "[" + number_text(allowed.low) + ", " + number_text(allowed.high) + "]";
     if (!allowed.unit.empty()) text += " " + std::string(allowed.unit);
@@ -61,7 +63,7 @@ const Value* Table::find(std::string_view key) const {
 
 double Table::number(std::string_view key, const Allowed& allowed) const {
     const Value* value = find(key);
-    if (value == nullptr) fail_missing(key);
+    if (value == nullptr) fail_missing(key, "it has no default");
     return checked_number(key, *value, allowed);
 }
 
@@ -77,7 +79,7 @@ int Table::integer_or(std::string_view key, const Allowed& allowed, int otherwis
 
 std::string Table::text(std::string_view key) const {
     const Value* value = find(key);
-    if (value == nullptr) fail_missing(key);
+    if (value == nullptr) fail_missing(key, "it has no default");
     return checked_text(key, *value);
 }
 
@@ -126,6 +128,13 @@ int Table::checked_integer(std::string_view key, const Value& value, const Allow
 const std::string& Table::checked_text(std::string_view key, const Value& value) const {
     const auto* text = std::get_if<std::string>(&value.data);
     if (text == nullptr) fail_type(key, value, "a string");
+    // Paths end at a zero, terminals obey escape codes, and a message is one line.
+    const auto is_control = [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; };
+    if (text->size() > longest_text || std::any_of(text->begin(), text->end(), is_control)) {
+        fail(value.where, std::string(key) + " is " + std::to_string(text->size()) + " bytes" +
+                              (text->size() > longest_text ? "" : " with control characters among them") +
+                              "; allowed is plain text of up to " + std::to_string(longest_text) + " bytes");
+    }
     return *text;
 }
 
@@ -144,7 +153,7 @@ const Table& Table::checked_table(std::string_view key, const Value& value) cons
 void Table::expect_all_read() const {
     for (const Entry& entry : entries_) {
         if (entry.read) continue;
-        std::string message = "unknown key \"" + entry.key + "\"";
+        std::string message = "unknown key " + in_quotes(entry.key);
         if (!asked_.empty()) message += "; known: " + comma_separated(asked_);
         fail(entry.key_where, message);
     }
@@ -165,8 +174,17 @@ void Table::fail_type(std::string_view key, const Value& value, std::string_view
                           std::string(wanted));
 }
 
-void Table::fail_missing(std::string_view key) const {
-    fail(where_, std::string(key) + " is missing; it has no default");
+void Table::fail_missing(std::string_view key, std::string_view what_is_allowed) const {
+    // A misspelt key is the likelier mistake, and has a place.
+    std::vector<std::string> unread;
+    for (const Entry& entry : entries_) {
+        if (!entry.read) unread.push_back(entry.key);
+    }
+    for (const std::string& candidate : nearest_names(key, unread, 1)) {
+        fail(entries_[index_.at(candidate)].key_where,
+             "unknown key " + in_quotes(candidate) + "; did you mean " + std::string(key) + "?");
+    }
+    fail(where_, std::string(key) + " is missing; " + std::string(what_is_allowed));
 }
 
 }  // namespace nacre

@@ -90,11 +90,12 @@ public:
     void expect_all_read() const;
 
     [[noreturn]] void fail(const Where& where, std::string_view message) const;
+    /// For a required key: names the misspelling, if one of the keys that nobody read looks like it.
+    [[noreturn]] void fail_missing(std::string_view key, std::string_view what_is_allowed) const;
     [[noreturn]] void fail_at(std::string_view key, std::string_view message) const;
 
 private:
     [[noreturn]] void fail_type(std::string_view key, const Value& value, std::string_view wanted) const;
-    [[noreturn]] void fail_missing(std::string_view key) const;
 
     std::string path_;
     Where where_;

@@ -37,7 +37,7 @@ const std::string& ColourTransform::to_ctf() const {
 }
 
 ColourTransform ColourTransform::from_ctf(const std::string& text, const std::string& target_name,
-                                          const std::string& where, const std::string& interop_id) {
+                                          const std::string& where, const std::optional<std::string>& interop_id) {
     silence_ocio();
     constexpr std::size_t longest = std::size_t{64} << 20U;
     if (text.size() > longest) throw Error(where + ": the OCIO transform is longer than 64 MiB; that is the limit");
@@ -56,7 +56,7 @@ ColourTransform ColourTransform::from_ctf(const std::string& text, const std::st
     impl->target = target_name;
     impl->interop_id = interop_id_of(impl->conversion, OCIO::REFERENCE_SPACE_SCENE);
     const std::string of_display = interop_id_of(impl->conversion, OCIO::REFERENCE_SPACE_DISPLAY);
-    if (!of_display.empty() && of_display == interop_id) impl->interop_id = of_display;
+    if (interop_id && impl->interop_id != *interop_id && of_display == *interop_id) impl->interop_id = of_display;
     return ColourTransform(std::move(impl));
 }
 

@@ -52,7 +52,7 @@ public:
     /// @param interop_id  which of the ids that the numbers allow is meant: a texture and a display may be encoded
     /// alike
     static ColourTransform from_ctf(const std::string& text, const std::string& target_name, const std::string& where,
-                                    const std::string& interop_id = {});
+                                    const std::optional<std::string>& interop_id = {});
 
     struct Impl;
     explicit ColourTransform(std::shared_ptr<const Impl> impl);

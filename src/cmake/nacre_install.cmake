@@ -29,3 +29,5 @@ endif()
 install(FILES "${PROJECT_SOURCE_DIR}/luts/nacre.glsl" "${PROJECT_SOURCE_DIR}/luts/nacre.hlsl"
     DESTINATION "${CMAKE_INSTALL_DATADIR}/nacre" OPTIONAL)
 install(FILES "${PROJECT_SOURCE_DIR}/LICENSE" DESTINATION "${CMAKE_INSTALL_DOCDIR}")
+# Sources and licences of the tables that are compiled in.
+install(FILES "${PROJECT_SOURCE_DIR}/src/nacre/colour/README.md" DESTINATION "${CMAKE_INSTALL_DOCDIR}" RENAME cie_tables.md)

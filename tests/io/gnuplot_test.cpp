@@ -29,7 +29,13 @@ public:
         : name_(name), old_(std::getenv(name) ? std::getenv(name) : "") {
         ::setenv(name, value.c_str(), 1);
     }
-    ~Setting() { ::setenv(name_, old_.c_str(), 1); }
+    ~Setting() {
+        if (old_.empty()) {
+            ::unsetenv(name_);
+        } else {
+            ::setenv(name_, old_.c_str(), 1);
+        }
+    }
 
 private:
     const char* name_;

@@ -2,7 +2,7 @@
 function(nacre_target_options target)
     target_compile_features(${target} PUBLIC cxx_std_20)
     set_target_properties(${target} PROPERTIES CXX_EXTENSIONS OFF)
-    # No fused multiply-adds behind our back: the same source gives the same bits on every machine.
+    # No fused multiply-adds behind our back. Highway asks for its own where the machine has them (colour/whole_cells.cpp).
     target_compile_options(${target} PRIVATE -ffp-contract=off -Wall -Wextra -Wpedantic -Wconversion -Wshadow
                                              -Wnon-virtual-dtor -Wold-style-cast)
     # GCC 12 sees overlaps in std::string's operator+ that are not there (GCC bug 105329).

@@ -11,7 +11,7 @@ namespace nacre {
 namespace {
 
 /// What differs between the languages: pairs of a placeholder of the texts below and its replacement.
-using Dialect = std::array<std::pair<std::string_view, std::string_view>, 9>;
+using Dialect = std::array<std::pair<std::string_view, std::string_view>, 8>;
 
 // ES has no default precision for float, and lowp is its default for samplers; desktop GLSL accepts and ignores highp.
 constexpr Dialect glsl{{
@@ -19,7 +19,6 @@ constexpr Dialect glsl{{
     {"{where}", "GLSL ES 3.00 (WebGL 2), GLSL 3.30 and later"},
     {"{declare}", "In ES declare it `uniform highp sampler2D lut;`, because lowp is the default."},
     {"{float}", "highp float"},
-    {"{vec2}", "vec2"},
     {"{vec3}", "highp vec3"},
     {"{parameters}", "highp sampler2D lut"},
     {"{lut}", "lut"},
@@ -39,7 +38,6 @@ constexpr Dialect hlsl{{
     {"{declare}",
      "Unreal's Custom node: include this text as a .ush file; a texture input `lut` brings its `lutSampler`."},
     {"{float}", "float"},
-    {"{vec2}", "float2"},
     {"{vec3}", "float3"},
     {"{parameters}", "Texture2D lut, SamplerState lut_sampler"},
     {"{lut}", "lut, lut_sampler"},

@@ -1,6 +1,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/commands.h"
+#include "cli/report.h"
 #include "cli/stop_signal.h"
 #include "io/verify_lut.h"
 #include "nacre/bake/names.h"
@@ -12,7 +13,8 @@ namespace {
 
 std::string verdict_text(const StoredLut& stored, const Verification& found) {
     if (found.passed())
-        return "verified: header complete, " + std::to_string(stored.image.size()) + " texels equal a re-bake";
+        return "verified: header complete, " + std::to_string(stored.image.size()) + " texels equal a re-bake" +
+               (found.error ? ", dE00 up to " + short_number(*found.error) : "");
     std::string text = "NOT verified:";
     if (!found.missing.empty()) text += " the header lacks " + comma_separated(found.missing) + ";";
     if (!found.wrong.empty()) text += " the header contradicts its scene in " + comma_separated(found.wrong) + ";";
@@ -40,6 +42,7 @@ int run_verify(const std::vector<std::string>& files, Console& console) {
                             {"missing", found.missing},
                             {"contradicting", found.wrong},
                             {"problem", found.problem},
+                            {"max_de00", found.error ? nlohmann::ordered_json(*found.error) : nullptr},
                             {"differing_components", found.differing},
                             {"largest_difference", found.largest_difference}});
         } catch (const IoError& error) {  // one file that cannot be read says nothing about the others

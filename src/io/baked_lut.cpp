@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdio>
+#include <cstdlib>
 #include <nlohmann/json.hpp>
 
 #include "io/hash.h"
@@ -28,8 +30,9 @@ std::string angle_text(double angle_deg) {
     return number_text(rounded_angle(angle_deg));
 }
 
-std::string integration_text(const LightSettings& light) {
-    return light.wavelengths ? std::to_string(*light.wavelengths) + " wavelengths" : "exact";
+std::string integration_text(const LightSettings& light, Integral integral) {
+    return light.wavelengths ? std::to_string(*light.wavelengths) + " wavelengths"
+                             : std::string(name_of(integral_words, integral));
 }
 
 std::optional<std::array<float, 8>> chromaticities_of(const ColourTransform& transform) {
@@ -43,6 +46,16 @@ std::optional<std::array<float, 8>> chromaticities_of(const ColourTransform& tra
         numbers[i++] = static_cast<float>(c.y);
     }
     return numbers;
+}
+
+// Three digits, upwards: more would differ from one machine's sine to another's, less would promise too much.
+double rounded_up(double error) {
+    if (!(error > 0.0) || !std::isfinite(error)) return error;
+    const double unit = std::pow(10.0, std::floor(std::log10(error)) - 2.0);
+    // By way of text, so that 0.0213 is the number that is written 0.0213.
+    char text[32];
+    std::snprintf(text, sizeof text, "%.2e", std::ceil(error / unit * (1.0 - 1e-9)) * unit);
+    return std::strtod(text, nullptr);
 }
 
 LutHeader make_header(const PlannedLut& lut, const ColourSettings& colour, const ColourSource& source,
@@ -69,7 +82,9 @@ LutHeader make_header(const PlannedLut& lut, const ColourSettings& colour, const
     add("observer", std::string(name_of(observer_words, light.observer)));
     add("adapt", std::string(name_of(adaptation_words, light.adaptation)));
     add("rangeNm", std::to_string(light.first_nm) + " " + std::to_string(light.last_nm));
-    add("integration", integration_text(light));
+    add("integration", integration_text(light, job.integral));
+    add("accuracyAsked", lut.wish.is_binding ? number_text(lut.wish.max_de00) : "none");
+    add("accuracyReached", baked.reached ? number_text(*baked.reached) : "unknown");
     add("colourSpace", transform.target());
     add("colourConfig", source.config);
     add("colourConfigHash", source.hash);
@@ -94,19 +109,47 @@ std::string_view nacre_version() {
     return NACRE_VERSION;
 }
 
-BakedLut bake_lut(const PlannedLut& lut, const ColourSettings& colour, const ColourSource& source,
+Encoding lut_encoding(const ColourTransform& transform, Gamut gamut) {
+    Encoding encoding;
+    encoding.to_rgb = [&transform, gamut](const Image<Xyz>& xyz) {
+        Image<Rgb> rgb = transform.apply(xyz);
+        fit_to_gamut(gamut, rgb, xyz);
+        return rgb;
+    };
+    if (transform.has_way_back()) {
+        encoding.to_xyz = [&transform](const Image<Rgb>& rgb) { return transform.back(rgb); };
+    }
+    encoding.stored = stored_value;
+    encoding.keeps_colours = gamut == Gamut::keep;
+    return encoding;
+}
+
+BakedLut bake_lut(const SettledLut& settled, const ColourSettings& colour, const ColourSource& source,
                   const ColourTransform& transform, const AfterRow& after_row) {
+    const PlannedLut& lut = settled.lut;
     BakedLut baked;
-    const Image<Xyz> xyz = bake(lut.job, after_row);
+    const Image<Xyz> xyz = bake(lut.job, after_row, &baked.work);
     baked.image = transform.apply(xyz);
     baked.gamut = fit_to_gamut(colour.gamut, baked.image, xyz);
+    check_storable(baked.image, lut.format);
+    for (Rgb& texel : baked.image) {
+        for (double Rgb::*component : {&Rgb::r, &Rgb::g, &Rgb::b})
+            texel.*component = stored_value(texel.*component, lut.format);
+    }
+    const Encoding encoding = lut_encoding(transform, colour.gamut);
+    if (encoding.to_xyz) {
+        const Measured measured = measure(lut.job, baked.image, encoding, settled.worst);
+        baked.reached = rounded_up(measured.reached);
+        baked.work += measured.work;
+    }
     if (const auto* palette = std::get_if<Palette>(&lut.job.material.mechanism))
         baked.clamped = palette_clamp_bounds(*palette);
     baked.header = make_header(lut, colour, source, transform, baked);
     return baked;
 }
 
-std::string manifest_json(const PlannedLut& lut, const BakedLut& baked) {
+std::string manifest_json(const SettledLut& settled, const BakedLut& baked) {
+    const PlannedLut& lut = settled.lut;
     const Job& job = lut.job;
     const LightSettings& light = job.light->settings;
     const LutHeader& header = baked.header;
@@ -144,6 +187,15 @@ std::string manifest_json(const PlannedLut& lut, const BakedLut& baked) {
                      {"adapt", header.value("adapt")},
                      {"range_nm", {light.first_nm, light.last_nm}},
                      {"integration", header.value("integration")}};
+    nlohmann::ordered_json& accuracy = json["accuracy"];
+    accuracy["max_de00"] = nullptr;
+    if (lut.wish.is_binding) accuracy["max_de00"] = lut.wish.max_de00;
+    accuracy["predicted"] = nullptr;
+    accuracy["reached"] = nullptr;
+    if (baked.reached) {
+        accuracy["predicted"] = rounded_up(settled.predicted.total);
+        accuracy["reached"] = *baked.reached;
+    }
     if (baked.clamped.below_deg) json["clamped_below_deg"] = rounded_angle(*baked.clamped.below_deg);
     if (baked.clamped.above_deg) json["clamped_above_deg"] = rounded_angle(*baked.clamped.above_deg);
     json["scene"] = header.value("scene");

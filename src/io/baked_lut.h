@@ -6,6 +6,8 @@
 
 #include "io/colour_config.h"
 #include "io/lut_file.h"
+#include "nacre/accuracy/measure.h"
+#include "nacre/accuracy/settle.h"
 #include "nacre/bake/bake.h"
 #include "nacre/bake/gamut.h"
 #include "nacre/bake/plan.h"
@@ -17,8 +19,10 @@ std::string_view nacre_version();
 
 /// A LUT's pixels in the target space, and what its file will say of itself.
 struct BakedLut {
-    Image<Rgb> image;
+    Image<Rgb> image;  ///< as stored: every component is one of the format's numbers
     LutHeader header;
+    std::optional<double> reached;  ///< largest error found, rounded up to three digits; nothing where it cannot be known
+    Work work;                      ///< baking and measuring; settling not counted
     GamutReport gamut;    ///< before [colour] gamut was applied
     ClampBounds clamped;  ///< beyond these angles the picks ask for what no surface can do
 };
@@ -29,12 +33,15 @@ struct ColourSource {
     std::string hash;
 };
 
-/// XYZ of every texel, through the colour transform and the gamut's rule, with its header.
-/// Throws Error if the space cannot hold the colours (not finite).
-BakedLut bake_lut(const PlannedLut& lut, const ColourSettings& colour, const ColourSource& source,
+/// How LUTs are encoded in a space under a gamut rule. Refers to the transform, which has to outlive it.
+Encoding lut_encoding(const ColourTransform& transform, Gamut gamut);
+
+/// XYZ of every texel, through the colour transform and the gamut's rule, measured, with its header.
+/// Throws Error if the space or the format cannot hold the colours.
+BakedLut bake_lut(const SettledLut& lut, const ColourSettings& colour, const ColourSource& source,
                   const ColourTransform& transform, const AfterRow& after_row = {});
 
 /// The manifest: JSON for tools, ending in a newline. No date, host or path.
-std::string manifest_json(const PlannedLut& lut, const BakedLut& baked);
+std::string manifest_json(const SettledLut& lut, const BakedLut& baked);
 
 }  // namespace nacre

@@ -17,6 +17,14 @@ Rgb ColourTransform::apply(Xyz colour) const {
     return apply(Image<Xyz>(1, 1, colour)).at(0, 0);
 }
 
+bool ColourTransform::has_way_back() const {
+    return nacre::has_way_back(impl_->conversion);
+}
+
+Image<Xyz> ColourTransform::back(const Image<Rgb>& image) const {
+    return convert_back(impl_->conversion, image, impl_->target);
+}
+
 const std::string& ColourTransform::target() const {
     return impl_->target;
 }

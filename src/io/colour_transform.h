@@ -23,6 +23,13 @@ public:
     /// The same for one colour.
     Rgb apply(Xyz colour) const;
 
+    /// Whether XYZ can be had back from the target's RGB. Not so for some configs' tables.
+    bool has_way_back() const;
+    /// RGB of the target to XYZ, the inverse of apply() as exactly as OpenColorIO has it.
+    /// @pre has_way_back()
+    /// @throws Error naming the first pixel that is not finite
+    Image<Xyz> back(const Image<Rgb>& image) const;
+
     /// Name of the colour space as the config spells it (aliases and roles resolved), or "DISPLAY / VIEW".
     const std::string& target() const;
     /// Empty for a colour space.

@@ -21,21 +21,6 @@ namespace {
 constexpr std::string_view prefix = "nacre:";
 constexpr int largest_stored_side = largest_lut_size;
 
-void check_storable(const Image<Rgb>& image, PixelFormat format) {
-    const double largest = format == PixelFormat::half_float ? static_cast<double>(HALF_MAX)
-                                                             : static_cast<double>(std::numeric_limits<float>::max());
-    for (int y = 0; y < image.height(); ++y) {
-        for (int x = 0; x < image.width(); ++x) {
-            for (const double value : {image.at(x, y).r, image.at(x, y).g, image.at(x, y).b}) {
-                if (std::abs(value) <= largest) continue;
-                throw Error("texel (" + std::to_string(x) + ", " + std::to_string(y) + ") is " + number_text(value) +
-                            "; " + (format == PixelFormat::half_float ? "half" : "float") + " holds up to " +
-                            number_text(largest));
-            }
-        }
-    }
-}
-
 OIIO::ImageSpec make_spec(const Image<Rgb>& image, PixelFormat format, const LutHeader& header) {
     OIIO::ImageSpec spec(image.width(), image.height(), 3,
                          format == PixelFormat::half_float ? OIIO::TypeDesc::HALF : OIIO::TypeDesc::FLOAT);
@@ -90,6 +75,21 @@ double stored_value(double value, PixelFormat format) {
     const auto single = static_cast<float>(value);
     return format == PixelFormat::half_float ? static_cast<double>(static_cast<float>(Imath::half(single)))
                                              : static_cast<double>(single);
+}
+
+void check_storable(const Image<Rgb>& image, PixelFormat format) {
+    const double largest = format == PixelFormat::half_float ? static_cast<double>(HALF_MAX)
+                                                             : static_cast<double>(std::numeric_limits<float>::max());
+    for (int y = 0; y < image.height(); ++y) {
+        for (int x = 0; x < image.width(); ++x) {
+            for (const double value : {image.at(x, y).r, image.at(x, y).g, image.at(x, y).b}) {
+                if (std::abs(value) <= largest) continue;
+                throw Error("texel (" + std::to_string(x) + ", " + std::to_string(y) + ") is " + number_text(value) +
+                            "; " + (format == PixelFormat::half_float ? "half" : "float") + " holds up to " +
+                            number_text(largest));
+            }
+        }
+    }
 }
 
 std::string encode_lut(const Image<Rgb>& image, PixelFormat format, const LutHeader& header) {

@@ -24,6 +24,9 @@ struct LutHeader {
     std::string value(const std::string& name) const;
 };
 
+/// Throws Error, naming the texel, if a component is not finite or too large for the format.
+void check_storable(const Image<Rgb>& image, PixelFormat format);
+
 /// The bytes of an EXR file: one part, scanlines, R G B, no compression; no date, host or path in it, so the same image
 /// and header are the same bytes. Half is rounded to nearest, ties to even.
 ///

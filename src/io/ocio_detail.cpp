@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <glm/matrix.hpp>
 #include <vector>
 
 #include "nacre/error.h"
@@ -50,6 +51,17 @@ bool fits_float(double value) {
     return std::abs(value) <= double{FLT_MAX};
 }
 
+// Null where a step cannot be undone.
+OCIO::ConstCPUProcessorRcPtr processor_back(const OCIO::ConstConfigRcPtr& config,
+                                            const OCIO::ConstProcessorRcPtr& processor) {
+    try {
+        const auto back = config->getProcessor(processor->createGroupTransform(), OCIO::TRANSFORM_DIR_INVERSE);
+        return back->getOptimizedCPUProcessor(OCIO::OPTIMIZATION_LOSSLESS);
+    } catch (const OCIO::Exception&) {
+        return {};
+    }
+}
+
 template <typename Pixel>
 [[noreturn]] void throw_not_finite(const Image<Pixel>& image, std::size_t index, const std::string& what,
                                    const std::string& value) {
@@ -88,9 +100,44 @@ std::string one_line(std::string_view message) {
 
 Conversion make_conversion(const OCIO::ConstConfigRcPtr& config, const OCIO::ConstTransformRcPtr& transform) {
     const auto lossless = config->getProcessor(transform)->getOptimizedProcessor(OCIO::OPTIMIZATION_LOSSLESS);
-    return {lossless->getOptimizedCPUProcessor(OCIO::OPTIMIZATION_LOSSLESS),
-            matrix_of(lossless->createGroupTransform()),
-            {}};
+    Conversion conversion{lossless->getOptimizedCPUProcessor(OCIO::OPTIMIZATION_LOSSLESS),
+                          matrix_of(lossless->createGroupTransform()),
+                          {}};
+    if (!conversion.matrix) conversion.back = processor_back(config, lossless);
+    return conversion;
+}
+
+bool has_way_back(const Conversion& conversion) {
+    return conversion.back || (conversion.matrix && glm::determinant(*conversion.matrix) != 0.0);
+}
+
+Image<Xyz> convert_back(const Conversion& conversion, const Image<Rgb>& image, const std::string& target) {
+    Image<Xyz> result(image.width(), image.height());
+    Xyz* out = result.data();
+    if (conversion.matrix) {
+        const glm::dmat3 back = glm::inverse(*conversion.matrix);
+        for (const Rgb& pixel : image) {
+            const glm::dvec3 xyz = back * glm::dvec3(pixel.r, pixel.g, pixel.b);
+            *out++ = {xyz.x, xyz.y, xyz.z};
+        }
+        return result;
+    }
+    if (image.size() == 0) return result;
+    std::vector<float> packed;
+    packed.reserve(3 * image.size());
+    for (const Rgb& pixel : image) {
+        for (const double v : {pixel.r, pixel.g, pixel.b}) packed.push_back(static_cast<float>(v));
+    }
+    OCIO::PackedImageDesc desc(packed.data(), image.width(), image.height(), 3);
+    conversion.back->apply(desc);
+    for (std::size_t i = 0; i < image.size(); ++i) {
+        out[i] = {double{packed[3 * i]}, double{packed[3 * i + 1]}, double{packed[3 * i + 2]}};
+        if (!fits_float(out[i].x) || !fits_float(out[i].y) || !fits_float(out[i].z)) {
+            throw_not_finite(result, i, "XYZ on the way back from \"" + target + "\"",
+                             pixel_text(out[i].x, out[i].y, out[i].z));
+        }
+    }
+    return result;
 }
 
 Image<Rgb> convert(const Conversion& conversion, const Image<Xyz>& image, const std::string& target) {

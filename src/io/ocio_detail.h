@@ -27,7 +27,8 @@ std::string one_line(std::string_view message);
 struct Conversion {
     OCIO::ConstCPUProcessorRcPtr cpu;
     std::optional<glm::dmat3> matrix;
-    std::string ctf;  ///< empty unless made by make_conversion_with_ctf()
+    std::string ctf;                        ///< empty unless made by make_conversion_with_ctf()
+    OCIO::ConstCPUProcessorRcPtr back = {};  ///< RGB -> XYZ; null for a matrix, and where OpenColorIO knows no way back
 };
 
 /// @throws OCIO::Exception
@@ -39,6 +40,12 @@ Conversion make_conversion_with_ctf(const OCIO::ConstConfigRcPtr& config, const 
                                     const std::string& where);
 /// @throws Error if OpenColorIO refuses the text, IoError if there is no place for a temporary file
 Conversion read_ctf(const std::string& text, const std::string& where);
+
+/// Whether convert_back() can be called.
+bool has_way_back(const Conversion& conversion);
+/// The inverse of convert(), as exactly as OpenColorIO has it.
+/// @throws Error naming `target` and the first pixel that is not finite
+Image<Xyz> convert_back(const Conversion& conversion, const Image<Rgb>& image, const std::string& target);
 
 /// Converts in double by the matrix, else in float by OpenColorIO.
 /// @throws Error naming `target` and the first pixel that is not finite

@@ -19,7 +19,8 @@ constexpr std::array required_attributes{"version",          "scene",           
                                          "material",         "mechanism",       "axisX",       "size",
                                          "sampling",         "illuminant",      "observer",    "adapt",
                                          "rangeNm",          "integration",     "colourSpace", "colourConfig",
-                                         "colourConfigHash", "colourTransform", "gamut",       "format"};
+                                         "colourConfigHash", "colourTransform", "gamut",       "format",
+                                         "accuracyAsked",    "accuracyReached"};
 
 // What only says where the transform came from, or which program wrote it.
 bool is_about_origin(const std::string& name) {
@@ -42,10 +43,11 @@ Plan plan_of_header(const StoredLut& stored) {
         });
     if (plan.luts.size() != 1 || !plan.swatches.empty()) throw Error("the scene in the header holds more than one LUT");
     const PlannedLut& lut = plan.luts.front();
-    if (lut.job.width != stored.image.width() || lut.job.height != stored.image.height()) {
+    const int height = lut.job.y ? lut.wish.height.value_or(0) : 1;
+    if (lut.wish.width != stored.image.width() || height != stored.image.height()) {
         throw Error("the scene in the header makes another size");
     }
-    if (lut.format != stored.format) throw Error("the scene in the header asks for another number format");
+    if (lut.wish.format != stored.format) throw Error("the scene in the header asks for another number format");
     return plan;
 }
 
@@ -63,8 +65,7 @@ void compare_headers(const LutHeader& stored, const LutHeader& derived, Verifica
 void compare_texels(const StoredLut& stored, const Image<Rgb>& derived, Verification& result) {
     for (std::size_t i = 0; i < stored.image.size(); ++i) {
         for (double Rgb::*component : {&Rgb::r, &Rgb::g, &Rgb::b}) {
-            const double again = stored_value(derived.data()[i].*component, stored.format);
-            const double difference = std::abs(again - stored.image.data()[i].*component);
+            const double difference = std::abs(derived.data()[i].*component - stored.image.data()[i].*component);
             if (difference == 0.0) continue;
             ++result.differing;  // NaN differs too
             result.largest_difference =
@@ -84,9 +85,13 @@ Verification verify_lut(const StoredLut& stored, const AfterRow& after_row) {
         const Plan plan = plan_of_header(stored);
         const auto transform = ColourTransform::from_ctf(stored.header.value("colourTransform"), plan.colour.space,
                                                          "header", stored.header.interop_id);
-        const BakedLut again = bake_lut(plan.luts.front(), plan.colour, {}, transform, after_row);
+        const SettledLut settled = settle(plan.luts.front(), lut_encoding(transform, plan.colour.gamut));
+        const BakedLut again = bake_lut(settled, plan.colour, {}, transform, after_row);
         compare_headers(stored.header, again.header, result);
         compare_texels(stored, again.image, result);
+        const Encoding encoding = lut_encoding(transform, plan.colour.gamut);
+        if (encoding.to_xyz)
+            result.error = measure(settled.lut.job, stored.image, encoding, settled.worst).reached;
     } catch (const IoError&) {
         throw;  // the system's refusal says nothing about the LUT
     } catch (const Error& error) {

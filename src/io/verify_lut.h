@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,6 +17,8 @@ struct Verification {
     std::string problem;               ///< why the LUT cannot be derived again; empty if it can
     std::size_t differing = 0;         ///< components that are not the re-bake's
     double largest_difference = 0.0;   ///< of linear RGB
+    /// CIEDE2000 error of what a shader fetches from the file, measured anew; nothing if it cannot be known.
+    std::optional<double> error;
 
     bool passed() const { return missing.empty() && wrong.empty() && problem.empty() && differing == 0; }
 };

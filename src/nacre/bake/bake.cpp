@@ -1,56 +1,20 @@
 #include "nacre/bake/bake.h"
 
-#include <cstddef>
+#include "nacre/bake/sampler.h"
 
 namespace nacre {
 namespace {
 
-// One row per mechanism: what answers for it at many angles.
-struct Prepare {
-    PaletteCurve operator()(const Palette& palette) const { return PaletteCurve(palette); }
+// One row per mechanism: its reflectance at one angle, as a function of wavelength.
+struct At {
+    Incidence incidence;
+    Lobe operator()(const Palette& palette) const { return palette_lobe(palette, incidence); }
 };
-
-// A mechanism made ready to be asked at many angles.
-class Sampler {
-public:
-    Sampler(const Mechanism& mechanism, const Light& light) : light_(light), curve_(std::visit(Prepare{}, mechanism)) {}
-
-    Xyz at(const Incidence& incidence) const {
-        const Lobe lobe = curve_.at(incidence);
-        if (!light_.settings.wavelengths) {
-            return lobe_to_xyz(light_.weights, lobe.peak_nm, lobe.width_nm, lobe.height);
-        }
-        Spectrum spectrum{light_.grid, {}};
-        spectrum.value.reserve(static_cast<std::size_t>(light_.grid.count));
-        for (int node = 0; node < light_.grid.count; ++node) {
-            spectrum.value.push_back(lobe_reflectance(lobe, light_.grid.wavelength_nm(node)));
-        }
-        return to_xyz(light_.grid_weights, spectrum);
-    }
-
-private:
-    const Light& light_;
-    PaletteCurve curve_;
-};
-
-// The material as it is at one point of the parameter axes.
-Mechanism mechanism_at(const Job& job, double x, double y) {
-    Mechanism mechanism = job.material.mechanism;
-    if (!job.x.is_angle()) job.x.parameter.set(mechanism, job.x.parameter_value(x));
-    if (job.y && !job.y->is_angle()) job.y->parameter.set(mechanism, job.y->parameter_value(y));
-    return mechanism;
-}
-
-Incidence incidence_at(const Job& job, double x, double y) {
-    if (job.x.is_angle()) return job.x.kind->incidence(x);
-    if (job.y && job.y->is_angle()) return job.y->kind->incidence(y);
-    return Incidence::from_degrees(job.angle_deg);
-}
 
 }  // namespace
 
 Spectrum reflectance(const Mechanism& mechanism, const Incidence& incidence, const WavelengthGrid& grid) {
-    const Lobe lobe = std::visit(Prepare{}, mechanism).at(incidence);
+    const Lobe lobe = std::visit(At{incidence}, mechanism);
     Spectrum spectrum{grid, {}};
     for (int node = 0; node < grid.count; ++node) {
         spectrum.value.push_back(lobe_reflectance(lobe, grid.wavelength_nm(node)));
@@ -59,12 +23,14 @@ Spectrum reflectance(const Mechanism& mechanism, const Incidence& incidence, con
 }
 
 Response response_at(const Mechanism& mechanism, const Incidence& incidence, double wavelength_nm) {
-    const double r = lobe_reflectance(std::visit(Prepare{}, mechanism).at(incidence), wavelength_nm);
+    const double r = lobe_reflectance(std::visit(At{incidence}, mechanism), wavelength_nm);
     return {r, r, 0.0, 0.0};
 }
 
 Xyz reflectance_xyz(const Mechanism& mechanism, const Incidence& incidence, const Light& light) {
-    return Sampler(mechanism, light).at(incidence);
+    if (light.settings.wavelengths) return to_xyz(light.grid_weights, reflectance(mechanism, incidence, light.grid));
+    const Lobe lobe = std::visit(At{incidence}, mechanism);
+    return lobe_to_xyz(light.weights, lobe.peak_nm, lobe.width_nm, lobe.height);
 }
 
 Xyz exact_xyz(const Job& job, double x, double y) {
@@ -72,18 +38,19 @@ Xyz exact_xyz(const Job& job, double x, double y) {
     return adapt(job.light->adaptation, seen);
 }
 
-Image<Xyz> bake(const Job& job, const AfterRow& after_row) {
+Image<Xyz> bake(const Job& job, const AfterRow& after_row, Work* work) {
     Image<Xyz> image(job.width, job.height);
-    const bool rows_share_material = job.x.is_angle();
+    Sampler sampler(job);
     for (int row = 0; row < job.height; ++row) {
-        const double y = job.height > 1 ? coordinate_of_texel(row, job.height) : 0.0;
-        std::optional<Sampler> sampler;
+        const double y = coordinate_of_texel(row, job.height);
         for (int column = 0; column < job.width; ++column) {
-            const double x = coordinate_of_texel(column, job.width);
-            if (!sampler || !rows_share_material) sampler.emplace(mechanism_at(job, x, y), *job.light);
-            image.at(column, row) = adapt(job.light->adaptation, sampler->at(incidence_at(job, x, y)));
+            image.at(column, row) = sampler.at(coordinate_of_texel(column, job.width), y);
         }
         if (after_row) after_row();
+    }
+    if (work != nullptr) {
+        *work += sampler.work();
+        work->texels += image.size();
     }
     return image;
 }

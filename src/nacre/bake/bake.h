@@ -4,6 +4,7 @@
 
 #include "nacre/bake/image.h"
 #include "nacre/bake/plan.h"
+#include "nacre/bake/work.h"
 #include "nacre/colour/colour_types.h"
 
 namespace nacre {
@@ -32,9 +33,11 @@ using AfterRow = std::function<void()>;
 /// Every texel of a LUT: XYZ relative to D65 (after adaptation), Y = 1 for the perfect reflector.
 ///
 /// Texel (i, j) is the value at coordinates (i / (width - 1), j / (height - 1)); the first row is the smallest y.
-Image<Xyz> bake(const Job& job, const AfterRow& after_row = {});
+/// @param work  what it took is added to it
+Image<Xyz> bake(const Job& job, const AfterRow& after_row = {}, Work* work = nullptr);
 
-/// The value that texel-centre sampling at (x, y) stands for: what bake() samples. Coordinates in [0, 1].
+/// The value that texel-centre sampling at (x, y) stands for: what bake() samples, in closed form unless the light
+/// samples. Coordinates in [0, 1].
 Xyz exact_xyz(const Job& job, double x, double y = 0.0);
 
 }  // namespace nacre

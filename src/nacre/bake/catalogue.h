@@ -18,6 +18,9 @@ namespace nacre {
 /// The number that a texel's components are stored as.
 enum class PixelFormat { half_float, single_float };
 
+/// How a band of reflectance becomes XYZ: in closed form, or by tables within CIEDE2000 0.001.
+enum class Integral { exact, fast };
+
 /// What is written for a LUT.
 enum class LutOutput { exr, json, png };
 
@@ -54,6 +57,10 @@ inline constexpr std::array swatch_gamut_words{
 inline constexpr std::array format_words{
     Word<PixelFormat>{"half", PixelFormat::half_float, "16 bits per component"},
     Word<PixelFormat>{"float", PixelFormat::single_float, "32 bits per component"},
+};
+inline constexpr std::array integral_words{
+    Word<Integral>{"exact", Integral::exact, "in closed form, to rounding"},
+    Word<Integral>{"fast", Integral::fast, "by running moments, within CIEDE2000 0.001"},
 };
 inline constexpr std::array output_words{
     Word<LutOutput>{"exr", LutOutput::exr, "the texture"},

@@ -8,6 +8,7 @@
 
 #include "nacre/bake/table.h"
 #include "nacre/colour/adaptation.h"
+#include "nacre/colour/lobe_moments.h"
 #include "nacre/colour/tristimulus.h"
 
 namespace nacre {
@@ -28,6 +29,7 @@ struct LightSettings {
 struct Light {
     LightSettings settings;
     TristimulusWeights weights;
+    LobeMoments moments;  ///< of the weights
     WavelengthGrid grid;       ///< only used if settings.wavelengths is set
     GridWeights grid_weights;  ///< likewise
     glm::dmat3 adaptation{1.0};

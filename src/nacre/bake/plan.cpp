@@ -8,7 +8,7 @@ namespace nacre {
 namespace {
 
 constexpr Allowed allowed_version{1, 1};
-constexpr Allowed allowed_wavelengths{2, 10000};
+
 // Reads one scene; holds what its tables refer to each other by.
 class Planner {
 public:
@@ -16,9 +16,9 @@ public:
 
     Plan plan() {
         scene_.integer_or("nacre", allowed_version, 1);
-        read_accuracy();
+        accuracy_ = read_accuracy(scene_.table("accuracy"));
         plan_.light =
-            std::make_shared<const Light>(make_light(read_light(scene_.table("light"), wavelengths_, read_curve_)));
+            std::make_shared<const Light>(make_light(read_light(scene_.table("light"), accuracy_.wavelengths, read_curve_)));
         check_white();
         read_colour();
         read_materials();
@@ -30,16 +30,6 @@ public:
     }
 
 private:
-    void read_accuracy() {
-        const Table* table = scene_.table("accuracy");
-        if (table == nullptr) return;
-        const int none = 0;
-        const int wavelengths = table->integer_or("wavelengths", allowed_wavelengths, none);
-        if (wavelengths != none) wavelengths_ = wavelengths;
-        size_ = read_lut_size(*table);
-        table->expect_all_read();
-    }
-
     // A grid may step over all the light there is, and a table of power may have a white that no eye adapts to.
     void check_white() const {
         const Light& light = *plan_.light;
@@ -99,7 +89,7 @@ private:
                 lut.name = material.name;
                 lut.job.material = material;
                 lut.job.light = plan_.light;
-                lut.job.width = size_.width.value_or(default_lut_width);
+                lut.wish = default_wish(accuracy_, false);
                 lut.where = material.where;
                 plan_.luts.push_back(std::move(lut));
             }
@@ -108,7 +98,7 @@ private:
         for (const Table::Entry& entry : luts->entries()) {
             const Table& table = luts->checked_table(entry.key, entry.value);
             check_name(entry.key, *luts, entry.key_where);
-            plan_.luts.push_back(read_lut(table, entry, plan_.materials, plan_.light, size_));
+            plan_.luts.push_back(read_lut(table, entry, plan_.materials, plan_.light, accuracy_));
         }
     }
 
@@ -125,8 +115,7 @@ private:
     const Table& scene_;
     const CurveReader& read_curve_;
     Plan plan_;
-    std::optional<int> wavelengths_;
-    LutSize size_;
+    AccuracySettings accuracy_;
 };
 
 }  // namespace

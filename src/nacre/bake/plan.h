@@ -21,6 +21,7 @@ struct Job {
     int width = 256;
     int height = 1;          ///< 1 without y
     double angle_deg = 0.0;  ///< where neither axis is the angle
+    Integral integral = Integral::exact;  ///< unless the light samples spectra
 };
 
 /// Which OpenColorIO config, space and gamut. The config itself is opened by the front end.
@@ -34,10 +35,24 @@ struct ColourSettings {
     std::string interchange;
 };
 
+/// What a scene says of a LUT's accuracy. What it leaves open is decided by settle(), where the colour space is known.
+struct AccuracyWish {
+    double max_de00 = default_max_de00;  ///< largest CIEDE2000 error of what a shader fetches
+    /// Whether a LUT that errs by more is refused. Not so where the scene gives `size` or `wavelengths` and no bound.
+    bool is_binding = true;
+    std::optional<int> width;
+    std::optional<int> height;
+    std::optional<PixelFormat> format;
+    std::optional<Integral> integral;
+
+    static constexpr double default_max_de00 = 0.1;
+};
+
 /// One LUT: <name>.exr and what goes with it.
 struct PlannedLut {
     std::string name;
-    Job job;
+    Job job;  ///< its size and integral are placeholders until settle() has decided them; so is the format
+    AccuracyWish wish;
     PixelFormat format = PixelFormat::half_float;
     std::vector<LutOutput> outputs{LutOutput::exr, LutOutput::json};
     Where where;
@@ -73,6 +88,9 @@ Plan plan_scene(const Table& scene, const CurveReader& read_curve);
 /// A scene that holds one LUT and nothing else, every default written out: what a file header carries so that the LUT
 /// can be derived again. plan_scene() of it gives the same job, and this text again.
 std::string scene_toml(const PlannedLut& lut, const ColourSettings& colour);
+
+/// Bounds that a user may give: below the least, single precision and the fast integral drown in their own rounding.
+inline constexpr Allowed allowed_max_de00{1e-5, 100.0};
 
 /// The longest side of a LUT, in texels.
 inline constexpr int largest_lut_size = 4096;

@@ -7,6 +7,7 @@
 namespace nacre {
 namespace {
 
+constexpr Allowed allowed_wavelengths{2, 10000};
 constexpr Allowed allowed_size{2, largest_lut_size, "texels"};
 constexpr std::size_t longest_name = 100;
 constexpr Allowed allowed_angle{0.0, 90.0, "degrees"};
@@ -39,12 +40,16 @@ void read_fixed_angle(const Table& table, Job& job) {
     job.angle_deg = table.checked_number("angle_deg", *value, allowed_angle);
 }
 
-void read_job_size(const Table& table, const LutSize& size, Job& job) {
+// A size of the LUT's own counts instead of [accuracy]'s.
+void read_wish(const Table& table, const AccuracySettings& accuracy, PlannedLut& lut) {
+    const bool has_y = lut.job.y.has_value();
     const LutSize own = read_lut_size(table);
-    if (own.height && !job.y) table.fail_at("size", "size has two numbers, but there is no y axis; give one");
-    job.width = own.width ? *own.width : size.width.value_or(default_lut_width);
-    if (job.y)
-        job.height = own.height ? *own.height : own.width ? *own.width : size.height.value_or(default_lut_height);
+    if (own.height && !has_y) table.fail_at("size", "size has two numbers, but there is no y axis; give one");
+    AccuracySettings settings = accuracy;
+    if (own.width) settings.size = {own.width, own.height ? own.height : own.width};
+    lut.wish = default_wish(settings, has_y);
+    if (const Value* format = table.find("format"))
+        lut.wish.format = meaning_of(format_words, "format", table.checked_text("format", *format), table, format->where);
 }
 
 void read_outputs(const Table& table, PlannedLut& lut) {
@@ -101,8 +106,38 @@ const Material& material_of(const Table& table, const std::vector<Material>& mat
     table.fail(value->where, "unknown material " + in_quotes(name) + "; known: " + known_like(name, known));
 }
 
+AccuracySettings read_accuracy(const Table* table) {
+    if (table == nullptr) return {};
+    AccuracySettings accuracy;
+    if (const Value* bound = table->find("max_de00"))
+        accuracy.max_de00 = table->checked_number("max_de00", *bound, allowed_max_de00);
+    if (const Value* nodes = table->find("wavelengths"))
+        accuracy.wavelengths = table->checked_integer("wavelengths", *nodes, allowed_wavelengths);
+    if (const Value* integral = table->find("integral")) {
+        accuracy.integral = meaning_of(integral_words, "integral", table->checked_text("integral", *integral), *table,
+                                       integral->where);
+        if (accuracy.wavelengths) {
+            table->fail(integral->where,
+                        "integral says how to do without wavelengths, and wavelengths is given; leave one of them out");
+        }
+    }
+    accuracy.size = read_lut_size(*table);
+    table->expect_all_read();
+    return accuracy;
+}
+
+AccuracyWish default_wish(const AccuracySettings& accuracy, bool has_y) {
+    AccuracyWish wish;
+    wish.max_de00 = accuracy.max_de00.value_or(AccuracyWish::default_max_de00);
+    wish.is_binding = accuracy.max_de00 || (!accuracy.wavelengths && !accuracy.size.width);
+    wish.integral = accuracy.integral;
+    wish.width = accuracy.size.width;
+    if (has_y) wish.height = accuracy.size.height;
+    return wish;
+}
+
 PlannedLut read_lut(const Table& table, const Table::Entry& entry, const std::vector<Material>& materials,
-                    const std::shared_ptr<const Light>& light, const LutSize& size) {
+                    const std::shared_ptr<const Light>& light, const AccuracySettings& accuracy) {
     PlannedLut lut;
     lut.name = entry.key;
     lut.where = entry.key_where;
@@ -115,8 +150,7 @@ PlannedLut read_lut(const Table& table, const Table::Entry& entry, const std::ve
         check_axes_differ(job, table, y->where);
     }
     read_fixed_angle(table, job);
-    read_job_size(table, size, job);
-    lut.format = read_word(table, "format", "format", format_words);
+    read_wish(table, accuracy, lut);
     read_outputs(table, lut);
     table.expect_all_read();
     return lut;

@@ -22,15 +22,25 @@ struct LutSize {
 };
 LutSize read_lut_size(const Table& table);
 
-inline constexpr int default_lut_width = 256;
-inline constexpr int default_lut_height = 64;
+/// [accuracy]: what holds for every LUT that does not say otherwise.
+struct AccuracySettings {
+    std::optional<double> max_de00;
+    std::optional<int> wavelengths;
+    std::optional<Integral> integral;
+    LutSize size;
+};
+/// @param table  null: nothing is said
+AccuracySettings read_accuracy(const Table* table);
+
+/// The wish of a LUT that says nothing itself.
+AccuracyWish default_wish(const AccuracySettings& accuracy, bool has_y);
 
 /// The material that the key `material` names, or the only one that there is.
 const Material& material_of(const Table& table, const std::vector<Material>& materials);
 
-/// One [lut.NAME]. @param size  of [accuracy]: what holds where the LUT does not say
+/// One [lut.NAME].
 PlannedLut read_lut(const Table& table, const Table::Entry& entry, const std::vector<Material>& materials,
-                    const std::shared_ptr<const Light>& light, const LutSize& size);
+                    const std::shared_ptr<const Light>& light, const AccuracySettings& accuracy);
 
 /// One [swatch.NAME]. @param plan  with its materials, LUTs and light
 PlannedSwatch read_swatch(const Table& table, const Table::Entry& entry, const Plan& plan);

@@ -115,6 +115,7 @@ Panel bake_panel(const Job& job, const PlotArea& area) {
     Job sized = job;
     sized.width = area.width;
     sized.height = job.y ? area.height : 1;
+    sized.integral = Integral::fast;  // 8 bits do not see the difference
     const Image<Xyz> baked = bake(sized);
     Panel panel{area.left, area.top, Image<Xyz>(area.width, area.height)};
     for (int row = 0; row < area.height; ++row) {

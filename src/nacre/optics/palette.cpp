@@ -37,12 +37,19 @@ double shape_difference(double shape, const Incidence& a, const Incidence& b) {
     return cosines * (shape * (a.cos_theta + b.cos_theta) + (1.0 - shape));
 }
 
-PaletteCurve::PaletteCurve(const Palette& palette) : shape_(palette.shape) {
+PaletteCurve::PaletteCurve(const Palette& palette) {
+    reset(palette);
+}
+
+void PaletteCurve::reset(const Palette& palette) {
     assert(!palette.picks.empty());
+    shape_ = palette.shape;
+    nodes_.clear();
     for (const Pick& pick : palette.picks)
         nodes_.push_back({Incidence::from_degrees(pick.angle_deg), pick.lobe, 0.0, {}});
-    std::stable_sort(nodes_.begin(), nodes_.end(),
-                     [](const Node& a, const Node& b) { return a.at.theta_deg < b.at.theta_deg; });
+    // Picks at one angle are equal, so their order does not matter.
+    std::sort(nodes_.begin(), nodes_.end(),
+              [](const Node& a, const Node& b) { return a.at.theta_deg < b.at.theta_deg; });
     const auto same_angle = [](const Node& a, const Node& b) { return a.at.theta_deg == b.at.theta_deg; };
     nodes_.erase(std::unique(nodes_.begin(), nodes_.end(), same_angle), nodes_.end());
     const std::size_t last = nodes_.size() - 1;

@@ -46,6 +46,10 @@ public:
     /// @pre picks at one angle are equal; others are `smallest_pick_distance_deg` or more apart
     explicit PaletteCurve(const Palette& palette);
 
+    /// Becomes the curve of another palette; the memory is kept, so a palette may change with every texel.
+    /// @pre as of the constructor
+    void reset(const Palette& palette);
+
     /// The lobe at an angle: height clamped to [0, 1], width to >= 0.
     Lobe at(const Incidence& incidence) const;
     /// What the formulas say, even where no surface can do it: beyond the picks the height may leave [0, 1] and the
@@ -60,7 +64,7 @@ private:
         Lobe slope;         // per unit of Y; unused for two picks
     };
     std::vector<Node> nodes_;
-    double shape_;
+    double shape_ = 0.0;
 };
 
 /// PaletteCurve for one question.

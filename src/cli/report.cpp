@@ -1,0 +1,50 @@
+#include "cli/report.h"
+
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <nlohmann/json.hpp>
+
+#include "nacre/bake/catalogue.h"
+#include "nacre/bake/text.h"
+
+namespace nacre {
+
+std::string short_number(double value) {
+    if (value == 0.0 || !std::isfinite(value)) return number_text(value);
+    std::array<char, 32> text{};
+    if (std::abs(value) < 1e-4) {
+        std::snprintf(text.data(), text.size(), "%.1e", value);
+        return text.data();
+    }
+    const int decimals = std::max(0, 1 - static_cast<int>(std::floor(std::log10(std::abs(value)))));
+    std::snprintf(text.data(), text.size(), "%.*f", decimals, value);
+    return text.data();
+}
+
+std::string size_text(const Job& job) {
+    return std::to_string(job.width) + " x " + std::to_string(job.height);
+}
+
+std::string duration_text(double seconds) {
+    if (seconds < 1e-3) return short_number(seconds * 1e6) + " us";
+    return seconds < 1.0 ? short_number(seconds * 1e3) + " ms" : short_number(seconds) + " s";
+}
+
+nlohmann::ordered_json work_json(const Work& work) {
+    return {{"exact_integrals", work.exact_integrals},
+            {"fast_integrals", work.fast_integrals},
+            {"spectra", work.spectra},
+            {"texels", work.texels},
+            {"probes", work.probes},
+            {"references", work.references}};
+}
+
+std::string out_of_reach(const SettledLut& settled) {
+    const PlannedLut& lut = settled.lut;
+    return lut.where.text() + " " + lut.name + ": max_de00 = " + number_text(lut.wish.max_de00) +
+           " is out of reach; the best is " + short_number(settled.predicted.total) + ", with " + size_text(lut.job) +
+           " " + std::string(name_of(format_words, lut.format)) + ": " + settled.obstacle;
+}
+
+}  // namespace nacre

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+
+#include "nacre/accuracy/settle.h"
+#include "nacre/bake/plan.h"
+
+namespace nacre {
+
+/// Two significant digits, no exponent where it can be helped: "0.021", "1.4", "130".
+std::string short_number(double value);
+
+/// "256 x 1".
+std::string size_text(const Job& job);
+
+/// "0.083 ms", "1.2 s".
+std::string duration_text(double seconds);
+
+/// How many of each kind of step a computation took.
+nlohmann::ordered_json work_json(const Work& work);
+
+/// What a user who asked for more than there is should know: the best that was reached, and what stands in the way.
+std::string out_of_reach(const SettledLut& lut);
+
+}  // namespace nacre

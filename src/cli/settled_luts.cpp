@@ -1,0 +1,68 @@
+#include "cli/settled_luts.h"
+
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include <atomic>
+#include <chrono>
+
+#include "cli/report.h"
+#include "cli/stop_signal.h"
+#include "nacre/error.h"
+
+namespace nacre {
+
+void override_accuracy(std::vector<LoadedScene>& scenes, double max_de00) {
+    for (LoadedScene& scene : scenes) {
+        for (PlannedLut& lut : scene.plan.luts) {
+            if (max_de00 > 0.0) {
+                lut.wish.max_de00 = max_de00;
+                lut.wish.is_binding = true;
+            }
+            if (!lut.wish.is_binding || scene.transform.has_way_back()) continue;
+            throw Error(lut.where.text() + " " + lut.name + ": space " + scene.transform.target() +
+                        " has no way back to XYZ, so no error can be measured in it; give [accuracy] size and no bound");
+        }
+    }
+}
+
+void settle_all(std::vector<SettledTask>& tasks, int threads, Console& console) {
+    tbb::task_arena arena(threads > 0 ? threads : tbb::task_arena::automatic);
+    std::atomic<std::size_t> done = 0;
+    arena.execute([&] {
+        tbb::parallel_for(std::size_t{0}, tasks.size(), [&](std::size_t i) {
+            throw_if_stopped();
+            SettledTask& task = tasks[i];
+            const auto begin = std::chrono::steady_clock::now();
+            try {
+                const LoadedScene& scene = *task.scene;
+                task.lut = settle(*task.asked, lut_encoding(scene.transform, scene.plan.colour.gamut));
+            } catch (const IoError&) {
+                throw;
+            } catch (const Error& error) {
+                task.failure = task.asked->where.text() + " " + task.asked->name + ": " + error.what();
+            }
+            task.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+            console.progress(++done, tasks.size());
+        });
+    });
+    throw_if_stopped();
+}
+
+std::size_t report_out_of_reach(const std::vector<SettledTask>& tasks, bool best_effort, Console& console) {
+    std::size_t count = 0;
+    for (const SettledTask& task : tasks) {
+        if (!task.failure.empty() || task.lut.is_reached || !task.lut.lut.wish.is_binding) continue;
+        best_effort ? console.warning(out_of_reach(task.lut)) : console.error(out_of_reach(task.lut));
+        ++count;
+    }
+    return count;
+}
+
+void add_accuracy_option(CLI::App& app, double& value) {
+    app.add_option("--accuracy", value, "largest colour error, CIEDE2000; wins over the scene's max_de00 (default 0.1)")
+        ->type_name("DE")
+        ->check(CLI::Range(allowed_max_de00.low, allowed_max_de00.high));
+}
+
+}  // namespace nacre

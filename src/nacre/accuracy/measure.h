@@ -1,0 +1,28 @@
+#pragma once
+
+#include <span>
+
+#include "nacre/accuracy/encoding.h"
+#include "nacre/accuracy/fetch.h"
+#include "nacre/bake/plan.h"
+#include "nacre/bake/work.h"
+
+namespace nacre {
+
+/// How far a finished LUT is from the truth.
+struct Measured {
+    double reached = 0.0;  ///< largest CIEDE2000 found
+    LutPoint at;
+    Work work;
+};
+
+/// Fetches from the stored numbers as a shader does, and compares with Reference, at the points given and at
+/// `spread_points` more that lie between the texels all over the LUT, and at its corners.
+/// @param stored    the components as they are in the file
+/// @param suspects  where the LUT errs most, by settle()
+/// @pre the encoding has a way back to XYZ
+Measured measure(const Job& job, const Image<Rgb>& stored, const Encoding& encoding, std::span<const LutPoint> suspects);
+
+inline constexpr int spread_points = 96;
+
+}  // namespace nacre

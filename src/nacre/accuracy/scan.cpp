@@ -1,0 +1,191 @@
+#include "nacre/accuracy/scan.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+namespace nacre {
+namespace {
+
+// How many points a side a cell gets, so that each LUT is looked at finely enough however few cells it has.
+constexpr int fewest_in_1d = 8;
+constexpr int fewest_in_2d = 2;
+constexpr int fewest_columns_in_1d = 2048;
+constexpr int fewest_columns_in_2d = 384;
+constexpr int fewest_rows = 96;
+
+constexpr std::size_t batch_size = 512;
+
+// Cells within this factor of the worst are looked at again, so many at most.
+constexpr double worth_refining = 0.7;
+constexpr std::size_t most_refined = 48;
+constexpr int refined_in_1d = 16;
+constexpr int refined_in_2d = 8;
+
+int steps_per_cell(int texels, int fewest, int fewest_overall) {
+    const int cells = std::max(texels - 1, 1);
+    return std::max(fewest, (fewest_overall + cells - 1) / cells);
+}
+
+// A larger LUT is looked at on every n-th line only, so that looking costs no more than baking.
+constexpr double most_points = 1 << 22;
+
+struct Cell {
+    double largest = 0.0;
+    LutPoint at;
+};
+
+bool is_worse(const Cell& a, const Cell& b) {
+    return a.largest > b.largest;
+}
+
+class Scanner {
+public:
+    Scanner(Trial& trial, double limit, bool unrounded)
+        : trial_(trial),
+          limit_(limit),
+          unrounded_(unrounded),
+          columns_(std::max(trial.job().width - 1, 1)),
+          rows_(std::max(trial.job().height - 1, 1)),
+          row_(static_cast<std::size_t>(columns_)) {}
+
+    Scan scan(std::span<const LutPoint> first) {
+        look_at(first);
+        if (!is_over()) look_everywhere();
+        if (!is_over()) refine();
+        result_.is_complete = !is_over();
+        return std::move(result_);
+    }
+
+private:
+    bool is_2d() const { return trial_.job().y.has_value(); }
+    bool is_over() const { return result_.largest > limit_; }
+
+    int column_of(LutPoint point) const { return std::min(static_cast<int>(point.x * columns_), columns_ - 1); }
+    int row_of(LutPoint point) const { return std::min(static_cast<int>(point.y * rows_), rows_ - 1); }
+
+    // Returns the worst of them, even if the limit cut it short.
+    Cell look_at(std::span<const LutPoint> points) {
+        Cell worst;
+        for (std::size_t begin = 0; begin < points.size() && !is_over(); begin += batch_size) {
+            const auto batch = points.subspan(begin, std::min(batch_size, points.size() - begin));
+            const double floor = 0.5 * result_.largest;  // well below what is worth refining
+            const std::vector<double> errors =
+                unrounded_ ? trial_.unrounded_errors_at(batch, floor) : trial_.errors_at(batch, floor);
+            for (std::size_t i = 0; i < batch.size(); ++i) {
+                // Not a number counts as an error without bound.
+                const Cell here{std::isnan(errors[i]) ? std::numeric_limits<double>::infinity() : errors[i], batch[i]};
+                if (is_worse(here, worst)) worst = here;
+                Cell& cell = row_[static_cast<std::size_t>(column_of(here.at))];
+                if (is_worse(here, cell)) cell = here;
+                if (here.largest > result_.largest) {
+                    result_.largest = here.largest;
+                    result_.at = here.at;
+                }
+            }
+        }
+        return worst;
+    }
+
+    // Keeps the bad cells of the row of cells that was looked at, and clears it for the next.
+    void finish_row() {
+        for (Cell& cell : row_) {
+            if (cell.largest > 0.0 && cell.largest >= worth_refining * result_.largest) bad_cells_.push_back(cell);
+            cell = {};
+        }
+        if (bad_cells_.size() < 4096) return;
+        keep_worst(most_refined);
+    }
+
+    void keep_worst(std::size_t count) {
+        std::erase_if(bad_cells_, [&](const Cell& cell) { return cell.largest < worth_refining * result_.largest; });
+        count = std::min(count, bad_cells_.size());
+        std::partial_sort(bad_cells_.begin(), bad_cells_.begin() + static_cast<std::ptrdiff_t>(count), bad_cells_.end(),
+                          is_worse);
+        bad_cells_.resize(count);
+    }
+
+    void look_everywhere() {
+        const Job& job = trial_.job();
+        const int per_column =
+            is_2d() ? steps_per_cell(job.width, fewest_in_2d, fewest_columns_in_2d)
+                    : steps_per_cell(job.width, fewest_in_1d, fewest_columns_in_1d);
+        const int per_row = is_2d() ? steps_per_cell(job.height, fewest_in_2d, fewest_rows) : 1;
+        const int last_line = is_2d() ? rows_ * per_row : 0;
+        const int last_step = columns_ * per_column;
+        const double points = (1.0 + last_step) * (1.0 + last_line);
+        const int stride = std::max(1, static_cast<int>(std::ceil(points / most_points)));
+        std::vector<LutPoint> line;
+        for (int j = 0; j <= last_line && !is_over(); j += stride) {
+            const double y = is_2d() ? static_cast<double>(j) / last_line : 0.0;
+            line.clear();
+            for (int i = 0; i <= last_step; ++i) line.push_back({static_cast<double>(i) / last_step, y});
+            for (const double x : landmarks(job, y)) line.push_back({x, y});
+            if (j > 0 && j % per_row < stride) finish_row();
+            look_at(line);
+        }
+        finish_row();
+    }
+
+    // Once more, finely, the worst first.
+    void refine() {
+        keep_worst(most_refined);
+        std::vector<Cell> worst;
+        for (const Cell& cell : bad_cells_) {
+            if (is_over()) return;
+            const Cell found = refine(cell.at);
+            worst.push_back(is_worse(found, cell) ? found : cell);
+        }
+        std::sort(worst.begin(), worst.end(), is_worse);
+        for (const Cell& cell : worst) result_.worst.push_back(cell.at);
+    }
+
+    // The worst point of the cell that holds `inside`.
+    Cell refine(LutPoint inside) {
+        const int column = column_of(inside);
+        const int row = row_of(inside);
+        const int steps = is_2d() ? refined_in_2d : refined_in_1d;
+        std::vector<LutPoint> points;
+        for (int j = 0; j <= (is_2d() ? steps : 0); ++j) {
+            const double y = is_2d() ? (row + static_cast<double>(j) / steps) / rows_ : 0.0;
+            for (int i = 0; i <= steps; ++i) points.push_back({(column + static_cast<double>(i) / steps) / columns_, y});
+        }
+        return look_at(points);
+    }
+
+    Trial& trial_;
+    double limit_;
+    bool unrounded_;
+    int columns_;
+    int rows_;
+    std::vector<Cell> row_;  // of cells, one per column
+    std::vector<Cell> bad_cells_;
+    Scan result_;
+};
+
+}  // namespace
+
+std::vector<double> landmarks(const Job& job, double y) {
+    if (!job.x.is_angle()) return {};
+    const Mechanism mechanism = mechanism_at(job, 0.0, y);
+    struct Angles {
+        std::vector<double> operator()(const Palette& palette) const {
+            std::vector<double> angles_deg;
+            for (const Pick& pick : palette.picks) angles_deg.push_back(pick.angle_deg);
+            const ClampBounds bounds = palette_clamp_bounds(palette);
+            if (bounds.below_deg) angles_deg.push_back(*bounds.below_deg);
+            if (bounds.above_deg) angles_deg.push_back(*bounds.above_deg);
+            return angles_deg;
+        }
+    };
+    std::vector<double> coordinates;
+    for (const double angle_deg : std::visit(Angles{}, mechanism))
+        coordinates.push_back(std::clamp(job.x.kind->coordinate(Incidence::from_degrees(angle_deg).cos_theta), 0.0, 1.0));
+    return coordinates;
+}
+
+Scan scan_errors(Trial& trial, double limit, std::span<const LutPoint> first, bool unrounded) {
+    return Scanner(trial, limit, unrounded).scan(first);
+}
+
+}  // namespace nacre

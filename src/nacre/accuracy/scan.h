@@ -1,0 +1,33 @@
+#pragma once
+
+#include <limits>
+#include <span>
+#include <vector>
+
+#include "nacre/accuracy/trial.h"
+
+namespace nacre {
+
+/// Where a LUT errs most.
+struct Scan {
+    double largest = 0.0;       ///< CIEDE2000; of the points looked at, if the scan was cut short
+    LutPoint at;                   ///< of the largest
+    std::vector<LutPoint> worst;   ///< the worst point of each of the worst cells, the worst of all first
+    bool is_complete = true;    ///< false: an error above the limit was met, and the rest was not looked at
+};
+
+/// The largest error over all coordinates: between the texels too, where the linear filter leaves the curve.
+///
+/// Every cell is looked at on an even grid, eight points a side in 1D and two in 2D, more where cells are few, and at
+/// the model's landmarks (picks; where a clamp begins). Then the worst cells once more, finely. A curve smooth within a
+/// cell has its largest error near the middle, which no grid misses by more than 1 %.
+/// @param limit  stop at an error above this
+/// @param first  points to look at before all others: where a smaller LUT erred
+/// @param unrounded  look at the LUT as it was before its numbers were rounded to the format
+Scan scan_errors(Trial& trial, double limit = std::numeric_limits<double>::infinity(), std::span<const LutPoint> first = {},
+                 bool unrounded = false);
+
+/// Coordinates on x at which the model turns sharply: picks, and the angle at which a clamp begins.
+std::vector<double> landmarks(const Job& job, double y);
+
+}  // namespace nacre

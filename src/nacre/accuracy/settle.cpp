@@ -1,0 +1,285 @@
+#include "nacre/accuracy/settle.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <utility>
+
+#include "nacre/accuracy/scan.h"
+#include "nacre/bake/text.h"
+#include "nacre/error.h"
+
+namespace nacre {
+namespace {
+
+// What is left of the bound once a scan's own blur is taken off: see scan_errors().
+constexpr double of_bound = 0.98;
+// What `fast` may use of it.
+constexpr double share_of_fast = 0.1;
+
+// Points at which integrals are compared, and slices are laid through a 2D LUT.
+constexpr int survey_columns = 65;
+constexpr int survey_rows = 9;
+constexpr std::array slices{0.0, 0.25, 0.5, 0.75, 1.0};
+
+constexpr std::size_t most_seeds = 96;
+
+struct Candidate {
+    int width;
+    int height;
+    PixelFormat format;
+
+    std::int64_t texels() const { return std::int64_t{width} * height; }
+    std::int64_t bytes() const { return texels() * (format == PixelFormat::half_float ? 6 : 12); }
+};
+
+std::vector<int> sizes_from(const std::optional<int>& wish, int smallest) {
+    if (wish) return {*wish};
+    std::vector<int> sizes;
+    for (int size = 2; size <= largest_lut_size; size *= 2) {
+        if (size >= smallest) sizes.push_back(size);
+    }
+    return sizes;
+}
+
+std::vector<PixelFormat> formats_of(const std::optional<PixelFormat>& wish) {
+    if (wish) return {*wish};
+    return {PixelFormat::half_float, PixelFormat::single_float};
+}
+
+// Two digits: what a message about an error needs.
+std::string error_text(double error) {
+    if (!(error > 0.0) || !std::isfinite(error)) return number_text(error);
+    const double unit = std::pow(10.0, std::floor(std::log10(error)) - 1.0);
+    return number_text(std::round(error / unit) * unit);
+}
+
+std::string size_text(const Job& job) {
+    return std::to_string(job.width) + " x " + std::to_string(job.height);
+}
+
+class Settler {
+public:
+    Settler(const PlannedLut& lut, const Encoding& encoding) : encoding_(encoding), wish_(lut.wish) {
+        result_.lut = lut;
+    }
+
+    SettledLut settle() {
+        if (!encoding_.to_xyz) return settle_blindly();
+        survey();
+        if (!find_smallest()) find_best();
+        name_sources();
+        return std::move(result_);
+    }
+
+private:
+    Job& job() { return result_.lut.job; }
+    bool samples() const { return result_.lut.job.light->settings.wavelengths.has_value(); }
+    // A scene that insists on its wavelengths and gives no bound is only judged by what the LUT adds to their error.
+    bool model_samples() const { return samples() && !wish_.is_binding; }
+    Integral model_integral() const { return samples() ? Integral::exact : result_.lut.job.integral; }
+
+    SettledLut settle_blindly() {
+        if (wish_.is_binding) {
+            throw Error("the colour space has no way back to XYZ, so errors in it cannot be known; give [accuracy] size "
+                        "instead of a bound");
+        }
+        const bool is_2d = job().y.has_value();
+        take({wish_.width.value_or(256), is_2d ? wish_.height.value_or(64) : 1,
+              wish_.format.value_or(PixelFormat::half_float)});
+        job().integral = wish_.integral.value_or(Integral::exact);
+        result_.is_reached = false;
+        return std::move(result_);
+    }
+
+    // How bright the LUT is, and what each way to integrate a spectrum costs.
+    void survey() {
+        Job exact = job();
+        exact.integral = Integral::exact;
+        if (samples()) {
+            LightSettings settings = exact.light->settings;
+            settings.wavelengths.reset();
+            exact.light = std::make_shared<const Light>(make_light(std::move(settings)));
+        }
+        Job cheap = job();
+        cheap.integral = wish_.integral.value_or(Integral::fast);
+        exact.width = cheap.width = survey_columns;
+        exact.height = cheap.height = job().y ? survey_rows : 1;
+        const Image<Xyz> truth = bake(exact, {}, &result_.work);
+        const Image<Xyz> approximation = bake(cheap, {}, &result_.work);
+        scale_ = display_scale(truth);
+        double error = 0.0;
+        for (std::size_t i = 0; i < truth.size(); ++i)
+            error = std::max(error, difference_at(truth.data()[i], approximation.data()[i], scale_));
+        const bool takes_cheap = samples() || wish_.integral || error <= share_of_fast * wish_.max_de00;
+        job().integral = takes_cheap ? cheap.integral : Integral::exact;
+        result_.predicted.spectrum = takes_cheap ? error : 0.0;
+    }
+
+    // The error that a scan of a candidate may find.
+    double limit() const {
+        const bool scan_sees_spectrum = samples() && !model_samples();
+        return of_bound * wish_.max_de00 -
+               (scan_sees_spectrum || model_samples() ? 0.0 : result_.predicted.spectrum);
+    }
+
+    Trial trial_of(const Job& at_size, const Candidate& candidate, double scale = 0.0) const {
+        Job sized = at_size;
+        sized.width = candidate.width;
+        sized.height = candidate.height;
+        return {sized, candidate.format, encoding_, model_integral(), model_samples(), scale};
+    }
+
+    void take(const Candidate& candidate) {
+        job().width = candidate.width;
+        job().height = candidate.height;
+        result_.lut.format = candidate.format;
+    }
+
+    void take(const Candidate& candidate, const Trial& trial, Scan scan) {
+        take(candidate);
+        // A fast integral's own error is not in the scan: the model between the texels is as fast.
+        const bool scan_sees_spectrum = samples() && !model_samples();
+        result_.predicted.total = scan.largest + (scan_sees_spectrum ? 0.0 : result_.predicted.spectrum);
+        result_.worst = std::move(scan.worst);
+        storage_error_ = trial.storage_error();
+    }
+
+    // Where other candidates failed, the last first.
+    void remember(LutPoint point) {
+        seeds_.insert(seeds_.begin(), point);
+        if (seeds_.size() > most_seeds) seeds_.pop_back();
+    }
+
+    std::vector<Candidate> candidates() {
+        const bool is_2d = job().y.has_value();
+        const int narrowest = is_2d && !wish_.width ? smallest_side(true) : 2;
+        const int lowest = is_2d && !wish_.height ? smallest_side(false) : 2;
+        const std::vector<int> heights = is_2d ? sizes_from(wish_.height, lowest) : std::vector<int>{1};
+        const bool is_given = wish_.width && (wish_.height || !is_2d);
+        std::vector<Candidate> all;
+        for (const int height : heights) {
+            for (const int width : sizes_from(wish_.width, narrowest)) {
+                for (const PixelFormat format : formats_of(wish_.format)) {
+                    const Candidate candidate{width, height, format};
+                    if (is_given || candidate.texels() <= most_settled_texels) all.push_back(candidate);
+                }
+            }
+        }
+        // By bytes; the formats are in the order of preference already.
+        std::stable_sort(all.begin(), all.end(),
+                         [](const Candidate& a, const Candidate& b) { return a.bytes() < b.bytes(); });
+        return all;
+    }
+
+    // The least size of one side that fits along slices through a 2D LUT: what the other side cannot help.
+    int smallest_side(bool is_x) {
+        int smallest = 2;
+        for (const double at : slices) {
+            Job slice = job();
+            slice.material.mechanism = is_x ? mechanism_at(job(), 0.0, at) : mechanism_at(job(), at, 0.0);
+            slice.angle_deg = is_x ? incidence_at(job(), 0.0, at).theta_deg : incidence_at(job(), at, 0.0).theta_deg;
+            if (!is_x) slice.x = *job().y;
+            slice.y.reset();
+            smallest = smallest_1d(slice, smallest);
+        }
+        return smallest;
+    }
+
+    int smallest_1d(const Job& slice, int from) {
+        std::vector<LutPoint> failed;
+        for (int size = from; size < largest_lut_size; size *= 2) {
+            Trial trial = trial_of(slice, {size, 1, PixelFormat::single_float}, scale_);
+            const Scan scan = scan_errors(trial, limit(), failed);
+            result_.work += trial.work();
+            if (scan.is_complete) return size;
+            failed.insert(failed.begin(), scan.at);
+        }
+        return largest_lut_size;
+    }
+
+    bool find_smallest() {
+        candidates_ = candidates();
+        const bool judges = wish_.is_binding || candidates_.size() > 1;
+        for (const Candidate& candidate : candidates_) {
+            Trial trial = trial_of(job(), candidate);
+            Scan scan = scan_errors(trial, judges ? limit() : std::numeric_limits<double>::infinity(), seeds_);
+            result_.work += trial.work();
+            if (scan.is_complete) {
+                result_.is_reached = scan.largest <= limit();
+                take(candidate, trial, std::move(scan));
+                return true;
+            }
+            remember(scan.at);
+        }
+        return false;
+    }
+
+    // The least error there is; of sizes that are equally good to 5 % the smallest.
+    void find_best() {
+        result_.is_reached = false;
+        std::optional<double> least;
+        for (auto candidate = candidates_.rbegin(); candidate != candidates_.rend(); ++candidate) {
+            Trial trial = trial_of(job(), *candidate);
+            const double enough = least ? 1.05 * *least : std::numeric_limits<double>::infinity();
+            Scan scan = scan_errors(trial, enough, least ? std::span<const LutPoint>(seeds_) : std::span<const LutPoint>{});
+            result_.work += trial.work();
+            if (!scan.is_complete) {
+                remember(scan.at);
+                continue;
+            }
+            least = std::min(least.value_or(scan.largest), scan.largest);
+            take(*candidate, trial, std::move(scan));
+        }
+    }
+
+    void name_sources() {
+        ErrorSplit& split = result_.predicted;
+        split.storage = storage_error_;
+        Trial trial = trial_of(job(), {job().width, job().height, result_.lut.format});
+        std::vector<LutPoint> worst = result_.worst;
+        const std::vector<double> errors = trial.unrounded_errors_at(worst);
+        for (const double error : errors) split.interpolation = std::max(split.interpolation, error);
+        result_.work += trial.work();
+        if (!result_.is_reached) result_.obstacle = obstacle();
+    }
+
+    std::string obstacle() {
+        const ErrorSplit& split = result_.predicted;
+        if (split.storage > split.interpolation && split.storage > split.spectrum) {
+            const bool is_half = result_.lut.format == PixelFormat::half_float;
+            return is_half ? "half costs " + error_text(split.storage) + ": use float"
+                           : "float costs " + error_text(split.storage) + ": give a larger bound";
+        }
+        if (samples() && split.spectrum > 0.5 * split.interpolation) {
+            return std::to_string(*job().light->settings.wavelengths) + " wavelengths cost " +
+                   error_text(split.spectrum) + ": leave wavelengths out";
+        }
+        if (split.spectrum > split.interpolation)
+            return "the fast integral costs " + error_text(split.spectrum) + ": use integral = \"exact\"";
+        const bool is_free = !wish_.width && (!job().y || !wish_.height);
+        return "interpolation between " + size_text(job()) + " texels costs " + error_text(split.interpolation) +
+               (is_free ? ", and " + std::to_string(job().y ? most_settled_texels : largest_lut_size) +
+                              " texels are the most there are: give a larger bound"
+                        : ": leave size out, or give a larger one");
+    }
+
+    const Encoding& encoding_;
+    const AccuracyWish wish_;
+    SettledLut result_;
+    double scale_ = 1.0;
+    double storage_error_ = 0.0;
+    std::vector<Candidate> candidates_;
+    std::vector<LutPoint> seeds_;
+};
+
+}  // namespace
+
+SettledLut settle(const PlannedLut& lut, const Encoding& encoding) {
+    return Settler(lut, encoding).settle();
+}
+
+}  // namespace nacre

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "nacre/accuracy/encoding.h"
+#include "nacre/accuracy/fetch.h"
+#include "nacre/bake/plan.h"
+#include "nacre/bake/work.h"
+
+namespace nacre {
+
+/// Where a LUT's error comes from; CIEDE2000 each, the largest over the LUT.
+struct ErrorSplit {
+    double total = 0.0;          ///< not the sum: the worst points of the parts need not coincide
+    double spectrum = 0.0;       ///< of how spectra become XYZ
+    double interpolation = 0.0;  ///< of the linear filter between exact texels
+    double storage = 0.0;        ///< of the number format, at the texels
+};
+
+/// A LUT with nothing left open.
+struct SettledLut {
+    PlannedLut lut;             ///< size, format and integral decided
+    ErrorSplit predicted;       ///< by the bake's own code, looked for at all coordinates
+    std::vector<LutPoint> worst;   ///< where it errs most, the worst first: measure() goes there
+    bool is_reached = true;     ///< whether the wish is met
+    std::string obstacle;       ///< if not, what stands in the way and what would help: "half costs 0.07: use float"
+    Work work;                  ///< what deciding took
+};
+
+/// Picks the cheapest LUT that errs by no more than the wish allows: the fewest bytes; of equals the one in half, which
+/// every engine reads. Sizes are powers of two up to largest_lut_size; in 2D up to `most_settled_texels` in all.
+///
+/// Every candidate is baked and held against the model between its texels until one fits; those too small fail at once,
+/// because the place where the last one failed is tried first. If none fits, the result is the best there is.
+///
+/// Of the integrals `fast` is taken if it costs less than a tenth of the bound.
+/// @throws Error if the encoding has no way back to XYZ and the wish is binding
+SettledLut settle(const PlannedLut& lut, const Encoding& encoding);
+
+inline constexpr int most_settled_texels = 1 << 20;
+
+}  // namespace nacre

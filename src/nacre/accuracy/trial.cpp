@@ -1,0 +1,118 @@
+#include "nacre/accuracy/trial.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <utility>
+
+namespace nacre {
+namespace {
+
+constexpr Xyz d65 = xyz_from_chromaticity(d65_chromaticity);
+
+Lab lab_at(Xyz colour, double scale) {
+    return to_lab({scale * colour.x, scale * colour.y, scale * colour.z}, d65);
+}
+
+// @param floor  smaller differences than this may come out as floor: most points are far from the worst, and the
+//               Euclidean distance tells so at a fraction of the price
+double difference_above(const Xyz& one, const Xyz& other, double scale, double floor) {
+    const Lab a = lab_at(one, scale);
+    const Lab b = lab_at(other, scale);
+    const double l = a.l - b.l;
+    const double da = a.a - b.a;
+    const double db = a.b - b.b;
+    const double bound2 = most_ciede2000_per_lab * most_ciede2000_per_lab * (l * l + da * da + db * db);
+    return bound2 <= floor * floor ? floor : ciede2000(a, b);
+}
+
+Job with_model(Job job, Integral integral, bool sampled) {
+    job.integral = integral;
+    if (!sampled && job.light->settings.wavelengths) {
+        LightSettings settings = job.light->settings;
+        settings.wavelengths.reset();
+        job.light = std::make_shared<const Light>(make_light(std::move(settings)));
+    }
+    return job;
+}
+
+Image<Rgb> rounded(Image<Rgb> image, PixelFormat format, const Encoding& encoding) {
+    for (Rgb& texel : image) {
+        for (double Rgb::*component : {&Rgb::r, &Rgb::g, &Rgb::b})
+            texel.*component = encoding.stored(texel.*component, format);
+    }
+    return image;
+}
+
+}  // namespace
+
+double display_scale(const Image<Xyz>& texels) {
+    double brightest = 0.0;
+    for (const Xyz& texel : texels) brightest = std::max(brightest, texel.y);
+    return brightest > 0.0 ? 1.0 / brightest : 1.0;
+}
+
+double difference_at(Xyz one, Xyz other, double scale) {
+    return ciede2000(lab_at(one, scale), lab_at(other, scale));
+}
+
+Trial::Trial(const Job& job, PixelFormat format, const Encoding& encoding, Integral model_integral, bool sampled_model,
+             double scale)
+    : job_(job),
+      model_job_(with_model(job, model_integral, sampled_model)),
+      encoding_(encoding),
+      scale_(scale),
+      model_(model_job_) {
+    const Image<Xyz> texels = bake(job_, {}, &work_);
+    exact_ = encoding.to_rgb(texels);
+    if (scale_ == 0.0) scale_ = display_scale(encoding.keeps_colours ? texels : encoding.to_xyz(exact_));
+    stored_ = rounded(exact_, format, encoding);
+}
+
+Image<Xyz> Trial::model_at(std::span<const LutPoint> points) {
+    Image<Xyz> model(static_cast<int>(points.size()), 1);
+    std::transform(points.begin(), points.end(), model.begin(), [&](LutPoint point) { return model_.at(point.x, point.y); });
+    return encoding_.keeps_colours ? model : encoding_.to_xyz(encoding_.to_rgb(model));
+}
+
+std::vector<double> Trial::errors(const Image<Rgb>& lut, std::span<const LutPoint> points, double floor) {
+    Image<Rgb> fetched(static_cast<int>(points.size()), 1);
+    std::transform(points.begin(), points.end(), fetched.begin(), [&](LutPoint point) { return fetch(lut, point); });
+    const Image<Xyz> seen = encoding_.to_xyz(fetched);
+    const Image<Xyz> model = model_at(points);
+    work_.probes += points.size();
+    std::vector<double> result;
+    result.reserve(points.size());
+    for (std::size_t i = 0; i < points.size(); ++i)
+        result.push_back(difference_above(seen.data()[i], model.data()[i], scale_, floor));
+    return result;
+}
+
+std::vector<double> Trial::errors_at(std::span<const LutPoint> points, double floor) {
+    return errors(stored_, points, floor);
+}
+
+std::vector<double> Trial::unrounded_errors_at(std::span<const LutPoint> points, double floor) {
+    return errors(exact_, points, floor);
+}
+
+double Trial::storage_error() const {
+    const Image<Xyz> seen = encoding_.to_xyz(stored_);
+    const Image<Xyz> meant = encoding_.to_xyz(exact_);
+    double largest = 0.0;
+    for (std::size_t i = 0; i < seen.size(); ++i) {
+        const double error = difference_above(seen.data()[i], meant.data()[i], scale_, largest);
+        if (std::isnan(error)) return std::numeric_limits<double>::infinity();  // too large for the format
+        largest = std::max(largest, error);
+    }
+    return largest;
+}
+
+Work Trial::work() const {
+    Work sum = work_;
+    sum += model_.work();
+    return sum;
+}
+
+}  // namespace nacre

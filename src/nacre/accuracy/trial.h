@@ -1,0 +1,58 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "nacre/accuracy/encoding.h"
+#include "nacre/accuracy/fetch.h"
+#include "nacre/bake/bake.h"
+#include "nacre/bake/sampler.h"
+#include "nacre/colour/difference.h"
+
+namespace nacre {
+
+/// How many times brighter a LUT is shown so that its brightest texel has Y = 1: colour differences depend on it.
+/// 1 for a LUT that is black all over.
+double display_scale(const Image<Xyz>& texels);
+
+/// CIEDE2000 of two XYZ under D65, both shown `scale` times brighter.
+double difference_at(Xyz one, Xyz other, double scale);
+
+/// A LUT baked at one size, held against its model point by point.
+class Trial {
+public:
+    /// Bakes it. `job` says the size and how spectra are integrated.
+    /// @param model_integral  how the model is computed at points between the texels
+    /// @param sampled_model   whether the model samples spectra where the light says so; else it is the true integral
+    /// @param scale           display_scale(); 0: the LUT's own
+    Trial(const Job& job, PixelFormat format, const Encoding& encoding, Integral model_integral, bool sampled_model,
+          double scale = 0.0);
+
+    /// Error of what a shader fetches from the stored numbers, per point; those that cannot exceed `floor` may come out
+    /// as `floor`.
+    std::vector<double> errors_at(std::span<const LutPoint> points, double floor = 0.0);
+    /// The same had the numbers not been rounded to a format.
+    std::vector<double> unrounded_errors_at(std::span<const LutPoint> points, double floor = 0.0);
+    /// What rounding alone does, at the texels.
+    double storage_error() const;
+
+    const Job& job() const { return job_; }
+    double scale() const { return scale_; }
+    const Image<Rgb>& stored() const { return stored_; }
+    Work work() const;
+
+private:
+    std::vector<double> errors(const Image<Rgb>& lut, std::span<const LutPoint> points, double floor);
+    Image<Xyz> model_at(std::span<const LutPoint> points);
+
+    Job job_;
+    Job model_job_;
+    const Encoding& encoding_;
+    Image<Rgb> exact_;   // components before they are rounded
+    Image<Rgb> stored_;  // and after
+    double scale_;
+    Sampler model_;
+    Work work_;
+};
+
+}  // namespace nacre

@@ -1,0 +1,80 @@
+#include "nacre/bake/sampler.h"
+
+#include <cstddef>
+
+namespace nacre {
+namespace {
+
+// One row per mechanism: what answers for it at many angles.
+struct Prepare {
+    PaletteCurve operator()(const Palette& palette) const { return PaletteCurve(palette); }
+};
+struct PrepareAgain {
+    PaletteCurve& curve;
+    void operator()(const Palette& palette) const { curve.reset(palette); }
+};
+
+bool is_parameter(const Axis& axis) {
+    return !axis.is_angle();
+}
+
+}  // namespace
+
+Mechanism mechanism_at(const Job& job, double x, double y) {
+    Mechanism mechanism = job.material.mechanism;
+    if (is_parameter(job.x)) job.x.parameter.set(mechanism, job.x.parameter_value(x));
+    if (job.y && is_parameter(*job.y)) job.y->parameter.set(mechanism, job.y->parameter_value(y));
+    return mechanism;
+}
+
+Incidence incidence_at(const Job& job, double x, double y) {
+    if (job.x.is_angle()) return job.x.kind->incidence(x);
+    if (job.y && job.y->is_angle()) return job.y->kind->incidence(y);
+    return Incidence::from_degrees(job.angle_deg);
+}
+
+Sampler::Sampler(const Job& job)
+    : job_(job), mechanism_(mechanism_at(job, 0.0, 0.0)), curve_(std::visit(Prepare{}, mechanism_)) {}
+
+void Sampler::set_parameters(double x, double y) {
+    const bool x_moves = is_parameter(job_.x) && last_x_ != x;
+    const bool y_moves = job_.y && is_parameter(*job_.y) && last_y_ != y;
+    if (!x_moves && !y_moves) return;
+    // In this order always: where both set the same number, y has the last word.
+    if (is_parameter(job_.x)) job_.x.parameter.set(mechanism_, job_.x.parameter_value(x));
+    if (job_.y && is_parameter(*job_.y)) job_.y->parameter.set(mechanism_, job_.y->parameter_value(y));
+    last_x_ = x;
+    last_y_ = y;
+    std::visit(PrepareAgain{curve_}, mechanism_);
+}
+
+Xyz Sampler::colour_at(const Incidence& incidence) {
+    const Light& light = *job_.light;
+    const Lobe lobe = curve_.at(incidence);
+    if (light.settings.wavelengths) {
+        ++work_.spectra;
+        Xyz sum;
+        for (int node = 0; node < light.grid.count; ++node) {
+            const double r = lobe_reflectance(lobe, light.grid.wavelength_nm(node));
+            if (r == 0.0) continue;
+            const auto i = static_cast<std::size_t>(node);
+            sum.x += r * light.grid_weights.x[i];
+            sum.y += r * light.grid_weights.y[i];
+            sum.z += r * light.grid_weights.z[i];
+        }
+        return sum;
+    }
+    if (job_.integral == Integral::fast) {
+        ++work_.fast_integrals;
+        return lobe_to_xyz_fast(light.weights, light.moments, lobe.peak_nm, lobe.width_nm, lobe.height);
+    }
+    ++work_.exact_integrals;
+    return lobe_to_xyz(light.weights, lobe.peak_nm, lobe.width_nm, lobe.height);
+}
+
+Xyz Sampler::at(double x, double y) {
+    set_parameters(x, y);
+    return adapt(job_.light->adaptation, colour_at(incidence_at(job_, x, y)));
+}
+
+}  // namespace nacre

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <optional>
+
+#include "nacre/bake/plan.h"
+#include "nacre/bake/work.h"
+#include "nacre/colour/colour_types.h"
+#include "nacre/optics/palette.h"
+
+namespace nacre {
+
+/// A job made ready to be asked at many points. What did not change since the last point is not computed again, so
+/// points are best asked row by row.
+class Sampler {
+public:
+    /// @param job  has to outlive the sampler
+    explicit Sampler(const Job& job);
+
+    /// XYZ relative to D65 (after adaptation), Y = 1 for the perfect reflector.
+    /// @param x,y  coordinates on the job's axes, in [0, 1]; y is ignored without an axis y
+    Xyz at(double x, double y = 0.0);
+
+    /// Of everything asked so far.
+    const Work& work() const { return work_; }
+
+private:
+    void set_parameters(double x, double y);
+    Xyz colour_at(const Incidence& incidence);
+
+    const Job& job_;
+    Mechanism mechanism_;
+    PaletteCurve curve_;
+    std::optional<double> last_x_;  // of parameters, where they are axes
+    std::optional<double> last_y_;
+    Work work_;
+};
+
+/// The material as it is at one point of the parameter axes.
+Mechanism mechanism_at(const Job& job, double x, double y);
+
+/// The angle at one point of the axes.
+Incidence incidence_at(const Job& job, double x, double y);
+
+}  // namespace nacre

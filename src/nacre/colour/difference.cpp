@@ -1,0 +1,87 @@
+#include "nacre/colour/difference.h"
+
+#include <cmath>
+#include <numbers>
+
+namespace nacre {
+namespace {
+
+constexpr double degrees_per_radian = 180.0 / std::numbers::pi;
+
+// Cube root, and its tangent at (6/29)^3 below that.
+double lab_function(double t) {
+    constexpr double bend = (6.0 / 29.0) * (6.0 / 29.0) * (6.0 / 29.0);
+    return t > bend ? std::cbrt(t) : (841.0 / 108.0) * t + 4.0 / 29.0;
+}
+
+// In [0, 360); 0 for grey.
+double hue_deg(double a, double b) {
+    if (a == 0.0 && b == 0.0) return 0.0;
+    const double hue = std::atan2(b, a) * degrees_per_radian;
+    return hue < 0.0 ? hue + 360.0 : hue;
+}
+
+double cos_deg(double angle_deg) {
+    return std::cos(angle_deg / degrees_per_radian);
+}
+
+// c^7 / (c^7 + 25^7), the square root of which bends greys and blues.
+double seventh_power_share(double chroma) {
+    const double c2 = chroma * chroma;
+    const double c7 = c2 * c2 * c2 * chroma;
+    return std::sqrt(c7 / (c7 + 6103515625.0));
+}
+
+}  // namespace
+
+Lab to_lab(Xyz colour, Xyz white) {
+    const double fx = lab_function(colour.x / white.x);
+    const double fy = lab_function(colour.y / white.y);
+    const double fz = lab_function(colour.z / white.z);
+    return {116.0 * fy - 16.0, 500.0 * (fx - fy), 200.0 * (fy - fz)};
+}
+
+double ciede2000(const Lab& one, const Lab& other) {
+    const double mean_plain_chroma = 0.5 * (std::hypot(one.a, one.b) + std::hypot(other.a, other.b));
+    const double stretch = 1.0 + 0.5 * (1.0 - seventh_power_share(mean_plain_chroma));
+    const double a1 = stretch * one.a;
+    const double a2 = stretch * other.a;
+    const double chroma1 = std::hypot(a1, one.b);
+    const double chroma2 = std::hypot(a2, other.b);
+    const double hue1 = hue_deg(a1, one.b);
+    const double hue2 = hue_deg(a2, other.b);
+
+    const double lightness_step = other.l - one.l;
+    const double chroma_step = chroma2 - chroma1;
+    const bool is_grey = chroma1 * chroma2 == 0.0;
+    double hue_step_deg = is_grey ? 0.0 : hue2 - hue1;
+    if (hue_step_deg > 180.0) hue_step_deg -= 360.0;
+    if (hue_step_deg < -180.0) hue_step_deg += 360.0;
+    const double hue_step =
+        2.0 * std::sqrt(chroma1 * chroma2) * std::sin(0.5 * hue_step_deg / degrees_per_radian);
+
+    const double lightness = 0.5 * (one.l + other.l);
+    const double chroma = 0.5 * (chroma1 + chroma2);
+    double hue = hue1 + hue2;  // grey has no hue: the other's counts
+    if (!is_grey) {
+        if (std::abs(hue1 - hue2) > 180.0) hue += hue < 360.0 ? 360.0 : -360.0;
+        hue *= 0.5;
+    }
+    const double t = 1.0 - 0.17 * cos_deg(hue - 30.0) + 0.24 * cos_deg(2.0 * hue) + 0.32 * cos_deg(3.0 * hue + 6.0) -
+                     0.20 * cos_deg(4.0 * hue - 63.0);
+    const double from_middle = (lightness - 50.0) * (lightness - 50.0);
+    const double s_l = 1.0 + 0.015 * from_middle / std::sqrt(20.0 + from_middle);
+    const double s_c = 1.0 + 0.045 * chroma;
+    const double s_h = 1.0 + 0.015 * chroma * t;
+    const double blue = (hue - 275.0) / 25.0;
+    const double rotation = -2.0 * seventh_power_share(chroma) *
+                            std::sin(2.0 * 30.0 * std::exp(-blue * blue) / degrees_per_radian);
+
+    const double l = lightness_step / s_l;
+    const double c = chroma_step / s_c;
+    const double h = hue_step / s_h;
+    // The form is positive definite (|rotation| < 2); rounding may still leave a negative zero.
+    return std::sqrt(std::fmax(0.0, l * l + c * c + h * h + rotation * c * h));
+}
+
+}  // namespace nacre

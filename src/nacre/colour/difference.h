@@ -1,0 +1,32 @@
+#pragma once
+
+#include "nacre/colour/colour_types.h"
+
+namespace nacre {
+
+/// CIE 1976 L*a*b*: L = 100 for the white it was made with. Values beyond [0, 100] are colours brighter than white.
+struct Lab {
+    double l = 0.0;
+    double a = 0.0;
+    double b = 0.0;
+    friend bool operator==(const Lab&, const Lab&) = default;
+};
+
+/// CIE 15:2004, section 8.2.1, with the exact rationals 24/116 and 841/108 for the straight part near black, which also
+/// takes what lies below 0.
+/// @param white  of positive components
+Lab to_lab(Xyz colour, Xyz white);
+
+/// CIEDE2000, kL = kC = kH = 1: 1 is about what an eye just tells apart.
+///
+/// Source: Sharma, Wu, Dalal 2005, Color Res. Appl. 30(1), 21-30, equations 2-22; symmetric in its arguments.
+/// Accuracy: that article's 34 pairs to their four decimals.
+double ciede2000(const Lab& one, const Lab& other);
+
+/// No two colours differ by more in CIEDE2000 than by so many times their Euclidean distance in L*a*b*.
+///
+/// Lightness and hue are only ever divided by weights of 1 or more, but for S_H, which may fall to 0.985; a* is stretched
+/// by up to 1.5; and the rotation, |R_T| <= sqrt(3), turns c^2 + h^2 into up to 1 + sqrt(3) / 2 as much.
+inline constexpr double most_ciede2000_per_lab = 2.1;
+
+}  // namespace nacre

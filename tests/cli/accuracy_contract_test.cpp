@@ -1,0 +1,432 @@
+// The accuracy contract, judged by a second road: what `nacre bake --accuracy DE` writes is fetched as a shader would,
+// between texels too, and compared with tests/reference/dense_model.h, which shares no line with src/.
+// NACRE_ACCURACY_SWEEP=1 takes all random scenes; otherwise the first ones, so that it ends in seconds.
+#include <OpenImageIO/imageio.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <iostream>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <sstream>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "reference/csv.h"
+#include "reference/dense_model.h"
+#include "reference/random_scenes.h"
+#include "support/program.h"
+
+namespace nacre::test {
+namespace {
+
+using reference::DenseModel;
+using reference::Density;
+using reference::FixedLut;
+using reference::Pixels;
+using reference::SceneModel;
+using reference::StoredAs;
+
+// What the manifest calls things; everything about accuracy lies in one object.
+namespace keys {
+constexpr const char* accuracy = "accuracy";
+constexpr const char* asked = "max_de00";
+constexpr const char* predicted = "predicted";
+constexpr const char* reached = "reached";
+}  // namespace keys
+
+constexpr int largest_size = 4096;
+// Below it a LUT with two axes may take millions of texels.
+constexpr double smallest_budget_of_two_axes = 0.1;
+// A prediction is held against what was measured only if either matters: a constant LUT may be predicted as it likes.
+constexpr double negligible_share = 0.05;
+constexpr double largest_misprediction = 2.0;
+// A refusal is wrong only where the largest LUT keeps the budget beyond doubt: at a kink of the model two judges that
+// look at different points differ by some percent.
+constexpr double beyond_doubt = 0.9;
+
+bool is_sweep() {
+    const char* value = std::getenv("NACRE_ACCURACY_SWEEP");
+    return value != nullptr && std::string(value) == "1";
+}
+
+// ---- Scenes ----
+
+SceneModel morpho() {
+    SceneModel scene;
+    scene.name = "morpho";
+    scene.picks = {{0, 460, 70, 1.0}, {40, 395, 60, 0.7}};
+    scene.shape = 0.26;
+    return scene;
+}
+
+SceneModel morpho_width() {
+    SceneModel scene = morpho();
+    scene.name = "morpho_width";
+    scene.y = {"width_nm", 20, 200};
+    return scene;
+}
+
+SceneModel beetle() {
+    SceneModel scene;
+    scene.name = "beetle";
+    scene.picks = {{10, 530, 110, 0.73}, {60, 460, 110, 1.0}};
+    scene.shape = 0.91;
+    return scene;
+}
+
+// The first ones and two whose second axis needs texels; all of them in a sweep.
+std::vector<SceneModel> scenes_for(double budget) {
+    constexpr std::array early_pair{119, 139};
+    std::vector<SceneModel> chosen;
+    int index = 0;
+    for (const SceneModel& scene : reference::random_scenes()) {
+        const bool early = index < 22 || std::find(early_pair.begin(), early_pair.end(), index) != early_pair.end();
+        ++index;
+        if (!is_sweep() && !early) continue;
+        if (scene.y && budget < smallest_budget_of_two_axes) continue;
+        chosen.push_back(scene);
+    }
+    return chosen;
+}
+
+// A scene that ships, its sizes left to the program.
+std::string shipped_text(const std::string& name) {
+    std::istringstream lines(file_bytes(std::string(NACRE_SOURCE_DIR) + "/configs/scenes/" + name + ".toml"));
+    std::string text;
+    for (std::string line; std::getline(lines, line);)
+        if (line.rfind("size", 0) != 0) text += line + "\n";
+    return text;
+}
+
+// ---- What the program wrote ----
+
+struct WrittenLut {
+    Pixels pixels;
+    StoredAs format = StoredAs::half_float;
+};
+
+std::optional<WrittenLut> read_exr(const std::filesystem::path& path) {
+    const auto input = OIIO::ImageInput::open(path.string());
+    if (!input || input->spec().nchannels != 3) return std::nullopt;
+    const OIIO::ImageSpec& spec = input->spec();
+    std::vector<float> values(static_cast<std::size_t>(spec.width) * static_cast<std::size_t>(spec.height) * 3);
+    if (!input->read_image(0, 0, 0, 3, OIIO::TypeDesc::FLOAT, values.data())) return std::nullopt;
+    WrittenLut lut{{spec.width, spec.height, {}},
+                   spec.format == OIIO::TypeDesc::HALF ? StoredAs::half_float : StoredAs::single_float};
+    for (std::size_t i = 0; i < values.size(); i += 3)
+        lut.pixels.rgb.push_back({values[i], values[i + 1], values[i + 2]});
+    return lut;
+}
+
+struct Verdict {
+    std::string name;
+    bool is_refused = false;
+    bool is_float = false;
+    std::size_t texels = 0;
+    double measured = 0.0, predicted = 0.0, reached = 0.0;
+};
+
+// At least ten points per cell, and enough in all that a small LUT is not asked at a few points alone.
+Density density_for(const Pixels& lut) {
+    Density density;
+    const int longest = std::max(lut.width, lut.height);
+    if (lut.height == 1) {
+        density.oversample = std::max(10, 4000 / (lut.width - 1));
+    } else {
+        density.oversample = std::max(4, 96 / (longest - 1));
+        density.most_points = is_sweep() ? 1000000 : 100000;
+    }
+    return density;
+}
+
+bool would_do(const DenseModel& model, int width, int height, StoredAs format, double budget) {
+    const Pixels lut = reference::make_lut(model, width, height, format);
+    Density density = density_for(lut);
+    density.enough = budget;
+    if (reference::dense_error(lut, model, density) > budget) return false;
+    if (height == 1) return true;
+    // Some cells of a LUT with two axes kept the budget: look at all before the program is accused.
+    density.most_points = Density{}.most_points;
+    return reference::dense_error(lut, model, density) <= budget;
+}
+
+// Within a factor of two of the fewest texels: a quarter of them must not do, however it is shaped.
+void expect_quarter_is_too_small(const DenseModel& model, const WrittenLut& lut, double budget) {
+    const int width = lut.pixels.width, height = lut.pixels.height;
+    std::vector<std::pair<int, int>> quarters{{width / 4, height}};
+    if (height > 1) quarters.insert(quarters.end(), {{width / 2, height / 2}, {width, height / 4}});
+    for (const auto& [w, h] : quarters) {
+        if (w < 2 || h < (height > 1 ? 2 : 1)) continue;
+        EXPECT_FALSE(would_do(model, w, h, lut.format, budget))
+            << "wrote " << width << " x " << height << " where " << w << " x " << h << " keeps the budget";
+    }
+}
+
+void expect_refusal_is_right(const SceneModel& scene, double budget) {
+    if (scene.y) return;  // 4096 x 4096 texels to show it
+    EXPECT_FALSE(would_do(DenseModel(scene), largest_size, 1, StoredAs::single_float, beyond_doubt * budget))
+        << "refused, but " << largest_size << " texels of float keep the budget";
+}
+
+void read_accuracy(const nlohmann::json& manifest, double budget, Verdict& verdict) {
+    ASSERT_TRUE(manifest.contains(keys::accuracy)) << "the manifest has no \"" << keys::accuracy << '"';
+    const auto& accuracy = manifest[keys::accuracy];
+    for (const char* key : {keys::asked, keys::predicted, keys::reached})
+        ASSERT_TRUE(accuracy.contains(key)) << keys::accuracy << " has no \"" << key << '"';
+    EXPECT_EQ(accuracy[keys::asked].get<double>(), budget);
+    verdict.predicted = accuracy[keys::predicted].get<double>();
+    verdict.reached = accuracy[keys::reached].get<double>();
+    verdict.is_refused = verdict.reached > budget;
+}
+
+void expect_manifest_describes(const nlohmann::json& manifest, const WrittenLut& lut) {
+    EXPECT_EQ(manifest.value("width", 0), lut.pixels.width);
+    EXPECT_EQ(manifest.value("height", 0), lut.pixels.height);
+    EXPECT_EQ(manifest.value("format", ""), lut.format == StoredAs::half_float ? "half" : "float");
+    for (const int side : {lut.pixels.width, lut.pixels.height}) {
+        EXPECT_LE(side, largest_size);
+        EXPECT_EQ(side & (side - 1), 0) << side << " is no power of two";
+    }
+}
+
+// Measured and predicted error of one LUT against the contract. A LUT that is not there was refused.
+Verdict judge(const std::filesystem::path& folder, const SceneModel& scene, double budget) {
+    SCOPED_TRACE("budget " + std::to_string(budget) + "\n" + reference::scene_text(scene));
+    Verdict verdict;
+    verdict.name = scene.name;
+    const auto lut = read_exr(folder / (scene.name + ".exr"));
+    const std::string text = file_bytes(folder / (scene.name + ".json"));
+    if (!lut || text.empty()) {
+        EXPECT_EQ(lut.has_value(), !text.empty()) << "one file without the other";
+        verdict.is_refused = true;
+        expect_refusal_is_right(scene, budget);
+        return verdict;
+    }
+    const auto manifest = nlohmann::json::parse(text);
+    expect_manifest_describes(manifest, *lut);
+    read_accuracy(manifest, budget, verdict);
+    verdict.is_float = lut->format == StoredAs::single_float;
+    verdict.texels = lut->pixels.rgb.size();
+
+    const DenseModel model(scene);
+    verdict.measured = reference::dense_error(lut->pixels, model, density_for(lut->pixels));
+    if (verdict.is_refused) {
+        expect_refusal_is_right(scene, budget);
+        return verdict;
+    }
+    EXPECT_LE(verdict.measured, budget);
+    const double floor = negligible_share * budget;
+    const double ratio = std::max(verdict.predicted, floor) / std::max(verdict.measured, floor);
+    EXPECT_LE(ratio, largest_misprediction) << "predicted " << verdict.predicted << ", is " << verdict.measured;
+    EXPECT_GE(ratio, 1.0 / largest_misprediction) << "predicted " << verdict.predicted << ", is " << verdict.measured;
+    expect_quarter_is_too_small(model, *lut, budget);
+    return verdict;
+}
+
+// ---- Summary: one line per budget ----
+
+struct Range {
+    double low = std::numeric_limits<double>::infinity(), high = 0.0;
+    std::string lowest, highest;
+
+    void add(double value, const std::string& name) {
+        if (value < low) low = value, lowest = name;
+        if (value > high) high = value, highest = name;
+    }
+};
+
+std::ostream& operator<<(std::ostream& out, const Range& range) {
+    if (range.lowest.empty()) return out << "-";
+    return out << range.low << " (" << range.lowest << ") to " << range.high << " (" << range.highest << ")";
+}
+
+void print_summary(double budget, const std::vector<Verdict>& verdicts, double bake_seconds) {
+    Range share, predicted, reached;
+    std::size_t refused = 0, floats = 0, texels = 0;
+    for (const Verdict& verdict : verdicts) {
+        refused += verdict.is_refused ? 1 : 0;
+        if (verdict.is_refused) continue;
+        floats += verdict.is_float ? 1 : 0;
+        texels += verdict.texels;
+        share.add(verdict.measured / budget, verdict.name);
+        if (verdict.measured < negligible_share * budget) continue;
+        predicted.add(verdict.predicted / verdict.measured, verdict.name);
+        reached.add(verdict.reached / verdict.measured, verdict.name);
+    }
+    std::ostringstream line;
+    line.precision(3);
+    line << "[ ACCURACY ] DE " << budget << ": " << verdicts.size() << " LUTs, " << refused << " refused, " << floats
+         << " float, " << texels << " texels; measured/budget up to " << share.high << " (" << share.highest
+         << "); predicted/measured " << predicted << "; reached/measured " << reached << "; baked in " << bake_seconds
+         << " s";
+    std::cout << line.str() << std::endl;
+}
+
+// The shortest text that a person would type.
+std::string text_of(double number) {
+    std::ostringstream text;
+    text << number;
+    return text.str();
+}
+
+// Bakes files into out/ and judges every scene of theirs.
+void bake_and_judge(const TemporaryFolder& folder, const std::vector<std::string>& files,
+                    const std::vector<SceneModel>& scenes, double budget) {
+    std::vector<std::string> arguments{"bake"};
+    arguments.insert(arguments.end(), files.begin(), files.end());
+    arguments.insert(arguments.end(), {"-o", "out", "--accuracy", text_of(budget), "--best-effort", "--quiet"});
+    for (const SceneModel& scene : scenes) arguments.insert(arguments.end(), {"--only", scene.name});
+    const auto start = std::chrono::steady_clock::now();
+    const ProgramResult result = run_nacre(arguments, {folder.path(), {}, {}, {}});
+    const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
+    ASSERT_TRUE(result.exit_code == 0 || result.exit_code == 4) << result.exit_code << ": " << result.err;
+
+    std::vector<Verdict> verdicts;
+    for (const SceneModel& scene : scenes) verdicts.push_back(judge(folder.path() / "out", scene, budget));
+    print_summary(budget, verdicts, elapsed.count());
+    if (result.exit_code == 4) {
+        EXPECT_TRUE(std::any_of(verdicts.begin(), verdicts.end(), [](const Verdict& v) { return v.is_refused; }))
+            << "exit 4, but every LUT keeps its budget: " << result.err;
+    }
+}
+
+// ---- The judge is judged first ----
+
+TEST(DenseModel, ColourDifferenceGivesTheTableOfSharmaWuAndDalal) {
+    const reference::Csv pairs = reference::read_csv("ciede2000_sharma34.csv");
+    ASSERT_EQ(pairs.rows.size(), 34u);
+    for (std::size_t row = 0; row < pairs.rows.size(); ++row) {
+        const auto number = [&](const char* name) { return *pairs.number(row, name); };
+        const reference::ModelLab one{number("L1"), number("a1"), number("b1")};
+        const reference::ModelLab two{number("L2"), number("a2"), number("b2")};
+        // Printed with four decimals.
+        EXPECT_NEAR(reference::ciede2000(one, two), number("dE00"), 5.001e-5) << "pair " << row + 1;
+        EXPECT_NEAR(reference::ciede2000(two, one), number("dE00"), 5.001e-5) << "pair " << row + 1 << " swapped";
+    }
+}
+
+TEST(DenseModel, HalvesAreKeptAndMiddlesGoToTheEvenNeighbour) {
+    // IEEE 754 binary16: code k < 1024 is k * 2^-24; otherwise (1024 + k % 1024) * 2^(k / 1024 - 25).
+    const auto half = [](int code) {
+        return code < 1024 ? std::ldexp(code, -24) : std::ldexp(1024 + code % 1024, code / 1024 - 25);
+    };
+    for (int code = 0; half(code) < 65504.0; ++code) {
+        const double low = half(code), high = half(code + 1), middle = (low + high) / 2.0;
+        ASSERT_EQ(reference::as_half(low), low) << code;
+        ASSERT_EQ(reference::as_half(middle), code % 2 == 0 ? low : high) << code;
+        ASSERT_EQ(reference::as_half(-std::nextafter(middle, 0.0)), -low) << code;
+        ASSERT_EQ(reference::as_half(std::nextafter(middle, 1e9)), high) << code;
+    }
+}
+
+TEST(DenseModel, FiftyDigitsGiveTheSameColour) {
+    SceneModel narrow = morpho();
+    narrow.illuminant = "FL11";
+    narrow.picks = {{0, 460, 30, 0.9}, {40, 395, 3, 0.7}, {60, 440, 12, 0.4}};
+    SceneModel tenth_degree = beetle();
+    tenth_degree.illuminant = "A";
+    tenth_degree.observer_deg = 10;
+    tenth_degree.x = reference::ModelAxis::theta_deg;
+    struct Point {
+        SceneModel scene;
+        double x, y;
+    };
+    const std::vector<Point> points{{morpho(), 1.0, 0.0},  {morpho(), 0.91, 0.0},     {morpho_width(), 0.7, 0.1},
+                                    {narrow, 0.875, 0.0},  {narrow, 0.8, 0.0},        {narrow, 0.7072, 0.0},
+                                    {tenth_degree, 0.4, 0.0}};
+    for (const auto& [scene, x, y] : points) {
+        const reference::ModelXyz colour = DenseModel(scene).at(x, y);
+        const reference::XyzNumbers exact = reference::twin_xyz(scene, x, y);
+        EXPECT_LT(reference::distance(colour.x, exact.x), 1e-11) << scene.name << " " << x;
+        EXPECT_LT(reference::distance(colour.y, exact.y), 1e-11) << scene.name << " " << x;
+        EXPECT_LT(reference::distance(colour.z, exact.z), 1e-11) << scene.name << " " << x;
+    }
+}
+
+TEST(DenseModel, TexelsOfAFixedSizeAreWhatItSays) {
+    const TemporaryFolder folder;
+    std::vector<std::string> arguments{"bake"};
+    std::vector<SceneModel> scenes = scenes_for(1.0);
+    for (const SceneModel& scene : scenes) {
+        const FixedLut fixed{32, scene.y ? 8 : 1, StoredAs::single_float};
+        arguments.push_back(folder.file(scene.name + ".toml", reference::scene_text(scene, fixed)));
+    }
+    arguments.insert(arguments.end(), {"-o", "out"});
+    const ProgramResult result = run_nacre(arguments, {folder.path(), {}, {}, {}});
+    ASSERT_EQ(result.exit_code, 0) << result.err;
+    for (const SceneModel& scene : scenes) {
+        const auto written = read_exr(folder.path() / "out" / (scene.name + ".exr"));
+        ASSERT_TRUE(written) << scene.name;
+        const Pixels own = reference::make_lut(DenseModel(scene), 32, scene.y ? 8 : 1, StoredAs::single_float);
+        ASSERT_EQ(written->pixels.rgb.size(), own.rgb.size()) << scene.name;
+        // Single precision, and OpenColorIO's matrix in it.
+        for (std::size_t i = 0; i < own.rgb.size(); ++i)
+            for (std::size_t c = 0; c < 3; ++c) EXPECT_NEAR(written->pixels.rgb[i][c], own.rgb[i][c], 1e-6) << scene.name;
+    }
+}
+
+TEST(DenseModel, LinearFilterErrsWithTheSquareOfTheStep) {
+    // Measured in files: a fetch that were half a texel off would err with the step itself.
+    const TemporaryFolder folder;
+    std::vector<double> errors;
+    for (const int width : {256, 512}) {
+        folder.file("s.toml", reference::scene_text(morpho(), FixedLut{width, 1, StoredAs::single_float}));
+        ASSERT_EQ(run_nacre({"bake", "s.toml", "-o", "out"}, {folder.path(), {}, {}, {}}).exit_code, 0);
+        const auto lut = read_exr(folder.path() / "out/morpho.exr");
+        ASSERT_TRUE(lut);
+        errors.push_back(reference::dense_error(lut->pixels, morpho(), 10));
+    }
+    EXPECT_NEAR(errors[0] / errors[1], 4.0, 0.2);
+}
+
+// ---- The contract ----
+
+class AccuracyContract : public testing::TestWithParam<double> {};
+
+TEST_P(AccuracyContract, NoFetchIsFartherFromTheModelThanWasAsked) {
+    const TemporaryFolder folder;
+    const std::vector<SceneModel> scenes = scenes_for(GetParam());
+    std::vector<std::string> files;
+    for (const SceneModel& scene : scenes)
+        files.push_back(folder.file(scene.name + ".toml", reference::scene_text(scene)));
+    bake_and_judge(folder, files, scenes, GetParam());
+}
+
+TEST_P(AccuracyContract, HoldsForTheScenesThatShip) {
+    const TemporaryFolder folder;
+    const std::vector<std::string> files{folder.file("morpho.toml", shipped_text("morpho")),
+                                         folder.file("beetle.toml", shipped_text("beetle"))};
+    std::vector<SceneModel> scenes{morpho(), beetle()};
+    if (GetParam() >= smallest_budget_of_two_axes) scenes.push_back(morpho_width());
+    bake_and_judge(folder, files, scenes, GetParam());
+}
+
+std::string name_of_budget(const testing::TestParamInfo<double>& info) {
+    std::string name = "De" + text_of(info.param);
+    std::replace(name.begin(), name.end(), '.', '_');
+    return name;
+}
+
+INSTANTIATE_TEST_SUITE_P(Budgets, AccuracyContract, testing::Values(2.0, 1.0, 0.5, 0.1, 0.02, 0.005), name_of_budget);
+
+TEST(AccuracyContractRefusal, UnreachableBudgetExitsWith4AndWritesNothingUnlessBestEffortIsAsked) {
+    // Half a millionth of what single precision can tell apart.
+    const TemporaryFolder folder;
+    folder.file("s.toml", reference::scene_text(morpho()) + "[lut.other]\nmaterial = \"morpho\"\n");
+    const std::vector<std::string> arguments{"bake", "s.toml", "-o", "out", "--accuracy", "0.0000001"};
+    const ProgramResult result = run_nacre(arguments, {folder.path(), {}, {}, {}});
+    EXPECT_EQ(result.exit_code, 4) << result.err;
+    EXPECT_FALSE(std::filesystem::exists(folder.path() / "out/morpho.exr"));
+    EXPECT_FALSE(std::filesystem::exists(folder.path() / "out/other.exr"));
+}
+
+}  // namespace
+}  // namespace nacre::test

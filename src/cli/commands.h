@@ -22,6 +22,8 @@ using Command = std::function<int(Console&)>;
 
 Command add_bake_command(CLI::App& app);
 Command add_swatch_command(CLI::App& app);
+Command add_plan_command(CLI::App& app);
+Command add_cost_command(CLI::App& app);
 Command add_spectrum_command(CLI::App& app);
 Command add_verify_command(CLI::App& app);
 Command add_snippet_command(CLI::App& app);

@@ -23,7 +23,7 @@ constexpr const char* description =
 
 constexpr const char* footer =
     "\nExit codes: 0 all done; 1 some LUTs failed, the others were written; 2 the scene or the command line is wrong,\n"
-    "nothing was written; 3 input or output; 4 verification not met; 143 stopped by SIGTERM.\n\n"
+    "nothing was written; 3 input or output; 4 accuracy or verification not met; 143 stopped by SIGTERM.\n\n"
     "Example:\n  nacre bake configs/scenes/morpho.toml -o out\n";
 
 std::string known_commands(const std::vector<std::pair<CLI::App*, nacre::Command>>& commands) {
@@ -51,6 +51,8 @@ int run(int argc, char** argv) {
     };
     add("bake", "scenes to LUTs, manifests and swatches", nacre::add_bake_command);
     add("swatch", "the pictures of scenes only", nacre::add_swatch_command);
+    add("plan", "what will be baked, how large, how exact, how long", nacre::add_plan_command);
+    add("cost", "error against time for every method and size: table, CSV, picture", nacre::add_cost_command);
     add("spectrum", "reflectance spectra, or XYZ, as CSV with 17 digits", nacre::add_spectrum_command);
     add("verify", "derive LUTs again from their headers and compare", nacre::add_verify_command);
     add("snippet", "the shader code that fetches from a LUT", nacre::add_snippet_command);

@@ -13,7 +13,7 @@ namespace nacre {
 std::string short_number(double value) {
     if (value == 0.0 || !std::isfinite(value)) return number_text(value);
     std::array<char, 32> text{};
-    if (std::abs(value) < 1e-4) {
+    if (std::abs(value) < 1e-5) {
         std::snprintf(text.data(), text.size(), "%.1e", value);
         return text.data();
     }

@@ -142,7 +142,7 @@ Density density_for(const Pixels& lut) {
         density.oversample = std::max(10, 4000 / (lut.width - 1));
     } else {
         density.oversample = std::max(4, 96 / (longest - 1));
-        density.most_points = is_sweep() ? 1000000 : 100000;
+        density.most_points = is_sweep() ? 4000000 : 400000;
     }
     return density;
 }
@@ -339,8 +339,8 @@ TEST(DenseModel, FiftyDigitsGiveTheSameColour) {
         SceneModel scene;
         double x, y;
     };
-    const std::vector<Point> points{{morpho(), 1.0, 0.0},  {morpho(), 0.91, 0.0},     {morpho_width(), 0.7, 0.1},
-                                    {narrow, 0.875, 0.0},  {narrow, 0.8, 0.0},        {narrow, 0.7072, 0.0},
+    const std::vector<Point> points{{morpho(), 1.0, 0.0},    {morpho(), 0.91, 0.0}, {morpho_width(), 0.7, 0.1},
+                                    {narrow, 0.875, 0.0},    {narrow, 0.8, 0.0},    {narrow, 0.7072, 0.0},
                                     {tenth_degree, 0.4, 0.0}};
     for (const auto& [scene, x, y] : points) {
         const reference::ModelXyz colour = DenseModel(scene).at(x, y);
@@ -369,7 +369,8 @@ TEST(DenseModel, TexelsOfAFixedSizeAreWhatItSays) {
         ASSERT_EQ(written->pixels.rgb.size(), own.rgb.size()) << scene.name;
         // Single precision, and OpenColorIO's matrix in it.
         for (std::size_t i = 0; i < own.rgb.size(); ++i)
-            for (std::size_t c = 0; c < 3; ++c) EXPECT_NEAR(written->pixels.rgb[i][c], own.rgb[i][c], 1e-6) << scene.name;
+            for (std::size_t c = 0; c < 3; ++c)
+                EXPECT_NEAR(written->pixels.rgb[i][c], own.rgb[i][c], 1e-6) << scene.name;
     }
 }
 

@@ -336,8 +336,7 @@ struct DenseModel::Light {
         } else if (width_nm >= 4.0) {
             fine.add(peak_nm, width_nm, first_whole, last_whole, sum);
         } else {
-            for (int nm = first_whole; nm < last_whole; ++nm)
-                add_piece(weights, peak_nm, width_nm, nm, nm + 1, sum);
+            for (int nm = first_whole; nm < last_whole; ++nm) add_piece(weights, peak_nm, width_nm, nm, nm + 1, sum);
         }
         return sum;
     }
@@ -445,8 +444,7 @@ double ciede2000(const ModelLab& one, const ModelLab& two) {
     const double l_term = d_l / (1.0 + 0.015 * square / std::sqrt(20.0 + square));
     const double c_term = d_c / (1.0 + 0.045 * mean_c);
     const double h_term = d_h / (1.0 + 0.015 * mean_c * t);
-    return std::sqrt(
-        std::max(0.0, l_term * l_term + c_term * c_term + h_term * h_term + rotation * c_term * h_term));
+    return std::sqrt(std::max(0.0, l_term * l_term + c_term * c_term + h_term * h_term + rotation * c_term * h_term));
 }
 
 // ---- LUTs ----
@@ -483,8 +481,8 @@ ModelRgb fetch(const Pixels& lut, int column, int row, double across, double dow
     const ModelRgb &c = lut.at(column, below), &d = lut.at(right, below);
     ModelRgb rgb{};
     for (std::size_t i = 0; i < 3; ++i) {
-        rgb[i] = (1.0 - down) * ((1.0 - across) * a[i] + across * b[i]) +
-                 down * ((1.0 - across) * c[i] + across * d[i]);
+        rgb[i] =
+            (1.0 - down) * ((1.0 - across) * a[i] + across * b[i]) + down * ((1.0 - across) * c[i] + across * d[i]);
     }
     return rgb;
 }
@@ -523,24 +521,45 @@ double cell_error(const Pixels& lut, const DenseModel& model, int column, int ro
     return worst;
 }
 
+// The step-th index below count: steps of the golden section, so that any number of them is spread evenly, and `count`
+// of them are all.
+std::size_t spread_index(std::size_t step, std::size_t count) {
+    auto stride = static_cast<std::size_t>(0.6180339887498949 * static_cast<double>(count)) + 1;
+    while (std::gcd(stride, count) != 1) ++stride;
+    return step * stride % count;
+}
+
 }  // namespace
 
 double dense_error(const Pixels& stored, const DenseModel& model, const Density& density) {
     const double scale = scale_of(stored);
     const auto columns = static_cast<std::size_t>(std::max(stored.width - 1, 1));
     const auto all = columns * static_cast<std::size_t>(std::max(stored.height - 1, 1));
-    const auto per_axis = static_cast<std::size_t>(density.oversample);
-    const std::size_t per_cell = stored.height > 1 ? per_axis * per_axis : per_axis;
-    const std::size_t visited = std::clamp<std::size_t>(density.most_points / per_cell, 1, all);
-    // Steps of the golden section through all cells: any number of them is spread evenly, and all of them are all.
-    auto stride = static_cast<std::size_t>(0.6180339887498949 * static_cast<double>(all)) + 1;
-    while (std::gcd(stride, all) != 1) ++stride;
-    double worst = 0.0;
-    for (std::size_t step = 0, cell = 0; step < visited; ++step, cell = (cell + stride) % all) {
+    const auto points_of = [&](int oversample) {
+        const auto per_axis = static_cast<std::size_t>(oversample);
+        return stored.height > 1 ? per_axis * per_axis : per_axis;
+    };
+    const auto error_of = [&](std::size_t cell, int oversample) {
         const int column = static_cast<int>(cell % columns), row = static_cast<int>(cell / columns);
-        worst = std::max(worst, cell_error(stored, model, column, row, density.oversample, scale));
-        if (worst > density.enough) break;
+        return cell_error(stored, model, column, row, oversample, scale);
+    };
+    const bool all_fit = all <= density.most_points / points_of(density.oversample);
+    // Too many points: texels and middles first, and then the worst cells as closely as was asked.
+    const int first_look = all_fit ? density.oversample : 2;
+    const std::size_t visited =
+        all_fit ? all : std::clamp<std::size_t>(density.most_points / 2 / points_of(first_look), 1, all);
+    std::vector<std::pair<double, std::size_t>> cells_by_error;
+    double worst = 0.0;
+    for (std::size_t step = 0; step < visited && worst <= density.enough; ++step) {
+        const std::size_t cell = spread_index(step, all);
+        cells_by_error.emplace_back(error_of(cell, first_look), cell);
+        worst = std::max(worst, cells_by_error.back().first);
     }
+    if (all_fit) return worst;
+    std::sort(cells_by_error.rbegin(), cells_by_error.rend());
+    const std::size_t closely = density.most_points / 2 / points_of(density.oversample);
+    for (std::size_t i = 0; i < std::min(closely, visited) && worst <= density.enough; ++i)
+        worst = std::max(worst, error_of(cells_by_error[i].second, density.oversample));
     return worst;
 }
 

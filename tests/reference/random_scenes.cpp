@@ -45,9 +45,8 @@ std::vector<double> random_angles(Dice& dice, int count) {
     std::vector<double> angles;
     while (static_cast<int>(angles.size()) < count) {
         const double angle = angles.empty() && dice.chance(0.4) ? 0.0 : dice.between(0.0, 85.0, 10.0);
-        const bool apart = std::all_of(angles.begin(), angles.end(), [&](double other) {
-            return std::abs(other - angle) >= smallest_distance_deg;
-        });
+        const bool apart = std::all_of(angles.begin(), angles.end(),
+                                       [&](double other) { return std::abs(other - angle) >= smallest_distance_deg; });
         if (apart) angles.push_back(angle);
     }
     std::sort(angles.begin(), angles.end());
@@ -106,8 +105,7 @@ SceneModel random_scene(int index) {
     scene.name = name.data();
     scene.picks = random_picks(dice);
     scene.shape = dice.between(0.0, 1.0, 100.0);
-    if (dice.chance(0.5))
-        scene.illuminant = dice.one_of<std::string, 5>({"D50", "A", "E", "FL2", "FL11"});
+    if (dice.chance(0.5)) scene.illuminant = dice.one_of<std::string, 5>({"D50", "A", "E", "FL2", "FL11"});
     scene.observer_deg = dice.chance(0.3) ? 10 : 2;
     if (dice.chance(0.3)) scene.x = dice.chance(0.5) ? ModelAxis::cos_theta : ModelAxis::theta_deg;
     if (index % 10 == 9) scene.y = random_parameter(dice);
@@ -116,9 +114,12 @@ SceneModel random_scene(int index) {
 
 const char* axis_name(ModelAxis axis) {
     switch (axis) {
-        case ModelAxis::sqrt_cos_theta: return "sqrt_cos_theta";
-        case ModelAxis::cos_theta: return "cos_theta";
-        case ModelAxis::theta_deg: return "theta_deg";
+        case ModelAxis::sqrt_cos_theta:
+            return "sqrt_cos_theta";
+        case ModelAxis::cos_theta:
+            return "cos_theta";
+        case ModelAxis::theta_deg:
+            return "theta_deg";
     }
     return "";
 }

@@ -54,4 +54,15 @@ Measured measure(const Job& job, const Image<Rgb>& stored, const Encoding& encod
     return measured;
 }
 
+Work bake_work(const Job& job, std::size_t suspects) {
+    Work work;
+    work.texels = static_cast<std::uint64_t>(job.width) * static_cast<std::uint64_t>(job.height);
+    (job.light->settings.wavelengths         ? work.spectra
+     : job.integral == Integral::fast ? work.fast_integrals
+                                             : work.exact_integrals) = work.texels;
+    const std::size_t corners = job.y ? 4 : 2;
+    work.references = suspects + corners + spread_points;
+    return work;
+}
+
 }  // namespace nacre

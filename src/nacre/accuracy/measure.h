@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <span>
 
 #include "nacre/accuracy/encoding.h"
@@ -24,5 +25,8 @@ struct Measured {
 Measured measure(const Job& job, const Image<Rgb>& stored, const Encoding& encoding, std::span<const LutPoint> suspects);
 
 inline constexpr int spread_points = 96;
+
+/// What baking and measuring a settled LUT will take: bake() and measure() count the same.
+Work bake_work(const Job& job, std::size_t suspects);
 
 }  // namespace nacre

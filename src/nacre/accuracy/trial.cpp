@@ -70,6 +70,16 @@ Trial::Trial(const Job& job, PixelFormat format, const Encoding& encoding, Integ
     stored_ = rounded(exact_, format, encoding);
 }
 
+Trial::Trial(const Job& job, Image<Rgb> stored, const Encoding& encoding, std::function<LutPoint(LutPoint)> fetch_at)
+    : job_(job),
+      model_job_(with_model(job, Integral::exact, false)),
+      encoding_(encoding),
+      exact_(stored),
+      stored_(std::move(stored)),
+      fetch_at_(std::move(fetch_at)),
+      scale_(display_scale(bake(model_job_))),
+      model_(model_job_) {}
+
 Image<Xyz> Trial::model_at(std::span<const LutPoint> points) {
     Image<Xyz> model(static_cast<int>(points.size()), 1);
     std::transform(points.begin(), points.end(), model.begin(), [&](LutPoint point) { return model_.at(point.x, point.y); });
@@ -78,7 +88,7 @@ Image<Xyz> Trial::model_at(std::span<const LutPoint> points) {
 
 std::vector<double> Trial::errors(const Image<Rgb>& lut, std::span<const LutPoint> points, double floor) {
     Image<Rgb> fetched(static_cast<int>(points.size()), 1);
-    std::transform(points.begin(), points.end(), fetched.begin(), [&](LutPoint point) { return fetch(lut, point); });
+    std::transform(points.begin(), points.end(), fetched.begin(), [&](LutPoint point) { return fetch(lut, fetch_at_ ? fetch_at_(point) : point); });
     const Image<Xyz> seen = encoding_.to_xyz(fetched);
     const Image<Xyz> model = model_at(points);
     work_.probes += points.size();

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -28,6 +29,11 @@ public:
     Trial(const Job& job, PixelFormat format, const Encoding& encoding, Integral model_integral, bool sampled_model,
           double scale = 0.0);
 
+    /// A LUT that came about in some other way.
+    /// @param stored  job.width x job.height, as stored
+    /// @param fetch_at  where a shader that means a point really fetches; empty: there
+    Trial(const Job& job, Image<Rgb> stored, const Encoding& encoding, std::function<LutPoint(LutPoint)> fetch_at);
+
     /// Error of what a shader fetches from the stored numbers, per point; those that cannot exceed `floor` may come out
     /// as `floor`.
     std::vector<double> errors_at(std::span<const LutPoint> points, double floor = 0.0);
@@ -50,6 +56,7 @@ private:
     const Encoding& encoding_;
     Image<Rgb> exact_;   // components before they are rounded
     Image<Rgb> stored_;  // and after
+    std::function<LutPoint(LutPoint)> fetch_at_;
     double scale_;
     Sampler model_;
     Work work_;

@@ -115,6 +115,10 @@ double half_hat_sine(double k) {
 
 }  // namespace
 
+Xyz weighted_cosines(const double* x, const double* y, const double* z, std::size_t count, Phasor first, Phasor step) {
+    return HWY_DYNAMIC_DISPATCH(cosine_sum)(x, y, z, count, first.cosine, first.sine, step.cosine, step.sine);
+}
+
 Xyz integrate_whole_cells(const TristimulusWeights& weights, const WholeCells& cells) {
     const auto begin = static_cast<std::size_t>(cells.first_nm - weights.first_nm);
     const auto end = static_cast<std::size_t>(cells.last_nm - weights.first_nm);

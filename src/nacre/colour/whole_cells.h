@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstddef>
+
 #include "nacre/colour/colour_types.h"
 #include "nacre/colour/tristimulus.h"
 
@@ -24,6 +26,10 @@ inline Phasor small_phasor(double x) {
             x * (1.0 - q * (1.0 / 6.0 -
                             q * (1.0 / 120.0 - q * (1.0 / 5040.0 - q * (1.0 / 362880.0 - q * (1.0 / 39916800.0))))))};
 }
+
+/// Sum of weight[i] * cos(first + i * step), i in [0, count), for three weights at once: SIMD (Highway).
+/// @param x,y,z  may be read up to TristimulusWeights::padding numbers past their end
+Xyz weighted_cosines(const double* x, const double* y, const double* z, std::size_t count, Phasor first, Phasor step);
 
 /// A run of whole cells under a cosine of phase per_nm * (nm - peak).
 struct WholeCells {

@@ -1,0 +1,114 @@
+#include "cli/cost_report.h"
+
+#include <array>
+#include <nlohmann/json.hpp>
+
+#include "cli/paper_pictures.h"
+#include "cli/report.h"
+#include "cli/text_table.h"
+#include "io/gnuplot.h"
+#include "nacre/bake/text.h"
+
+namespace nacre {
+
+// Compiled in from src/cli/figures.
+extern const std::string_view cost_gp;
+
+namespace {
+
+struct FamilyText {
+    CostFamily family;
+    std::string_view name;     // in CSV and JSON
+    std::string_view heading;  // in the table
+};
+constexpr std::array family_texts{
+    FamilyText{CostFamily::choice, "choice", "nacre's choice for a bound"},
+    FamilyText{CostFamily::integral, "integral", "from spectrum to XYZ, all else as good as it gets"},
+    FamilyText{CostFamily::fixed_size, "fixed_size", "sizes fixed by hand, exact integral"},
+    FamilyText{CostFamily::mistake, "mistake", "what goes wrong, at 256 texels and half"},
+};
+
+std::string_view family_name(CostFamily family) {
+    for (const FamilyText& text : family_texts) {
+        if (text.family == family) return text.name;
+    }
+    return {};
+}
+
+std::string bytes_text(std::size_t bytes) {
+    return bytes < 10240 ? std::to_string(bytes) + " B" : std::to_string((bytes + 512) / 1024) + " kB";
+}
+
+}  // namespace
+
+std::vector<std::string> cost_lines(const std::vector<CostRow>& rows) {
+    std::vector<std::vector<std::string>> cells;
+    for (const FamilyText& text : family_texts) {
+        if (!cells.empty()) cells.emplace_back();
+        cells.push_back({std::string(text.heading), "x", "texels", "format", "size", "dE00", "time", "all in all"});
+        for (const CostRow& row : rows) {
+            const CostCase& cost = row.cost;
+            if (cost.family != text.family) continue;
+            cells.push_back({"  " + cost.label + (cost.is_reached ? "" : " (out of reach)"), cost.axis,
+                             size_text(cost.job), cost.format, bytes_text(cost.bytes), short_number(row.de00),
+                             duration_text(row.seconds),
+                             cost.family == CostFamily::choice ? duration_text(row.all_seconds) : ""});
+        }
+    }
+    return table_lines(cells, {false, false, true, false, true, true, true, true});
+}
+
+std::string cost_csv(const std::vector<CostRow>& rows, const std::string& comment) {
+    std::string text = "# " + comment +
+                       "\nfamily,label,axis,format,width,height,bytes,bound,de00,seconds,all_seconds,predicted_de00\n";
+    for (const CostRow& row : rows) {
+        const CostCase& cost = row.cost;
+        std::string label = cost.label;
+        std::erase(label, ',');
+        text += std::string(family_name(cost.family)) + "," + label + "," + cost.axis + "," + cost.format + "," +
+                std::to_string(cost.job.width) + "," + std::to_string(cost.job.height) + "," +
+                std::to_string(cost.bytes) + "," + (cost.bound > 0.0 ? number_text(cost.bound) : "") + "," +
+                number_text(row.de00) + "," + number_text(row.seconds) + "," + number_text(row.all_seconds) + "," +
+                (cost.predicted > 0.0 ? number_text(cost.predicted) : "") + "\n";
+    }
+    return text;
+}
+
+nlohmann::ordered_json cost_json(const std::vector<CostRow>& rows) {
+    nlohmann::ordered_json json = nlohmann::ordered_json::array();
+    for (const CostRow& row : rows) {
+        const CostCase& cost = row.cost;
+        nlohmann::ordered_json entry{{"family", family_name(cost.family)}, {"label", cost.label},
+                                     {"axis", cost.axis},                  {"format", cost.format},
+                                     {"width", cost.job.width},            {"height", cost.job.height},
+                                     {"bytes", cost.bytes},                {"de00", row.de00},
+                                     {"seconds", row.seconds}};
+        if (cost.family == CostFamily::choice) {
+            entry["max_de00"] = cost.bound;
+            entry["reached"] = cost.is_reached;
+            entry["predicted_de00"] = cost.predicted;
+            entry["all_seconds"] = row.all_seconds;
+        }
+        json.push_back(std::move(entry));
+    }
+    return json;
+}
+
+std::vector<std::pair<std::string, std::string>> cost_picture(const std::vector<CostRow>& rows, const std::string& name,
+                                                              const std::string& title, double bound,
+                                                              const std::string& comment) {
+    // What the script cannot know; letters that gnuplot would take for markup do not occur in names.
+    const std::string script = "# " + comment + "\n# Run in this folder: gnuplot " + name + ".gp\nname = '" + name +
+                               "'\ntitle = '" + title + "'\nbound = " + number_text(bound) + "\n" +
+                               std::string(cost_gp);
+    NamedFiles files{{name + ".csv", cost_csv(rows, comment)},
+                     {name + ".gp", script},
+                     {figure_style_file, figure_style_script()}};
+    GnuplotResult plotted = run_gnuplot(files, name + ".gp", {name + ".png"});
+    return {{name + ".png", plotted.files.at(name + ".png")},
+            {name + ".csv", files.at(name + ".csv")},
+            {name + ".gp", files.at(name + ".gp")},
+            {figure_style_file, files.at(figure_style_file)}};
+}
+
+}  // namespace nacre

@@ -1,0 +1,2 @@
+load 'style.gp'
+set output name . '.png'

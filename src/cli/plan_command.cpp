@@ -1,0 +1,194 @@
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "cli/commands.h"
+#include "cli/rehearsal.h"
+#include "cli/report.h"
+#include "cli/settled_luts.h"
+#include "cli/stop_signal.h"
+#include "cli/text_table.h"
+#include "nacre/bake/catalogue.h"
+#include "nacre/bake/names.h"
+#include "nacre/bake/output_names.h"
+#include "nacre/bake/text.h"
+#include "nacre/error.h"
+
+namespace nacre {
+namespace {
+
+struct PlanOptions {
+    std::vector<std::string> scenes;
+    std::vector<std::string> only;
+    std::string ocio;
+    double accuracy = 0.0;
+    int threads = 0;
+};
+
+// How many wavelengths a spectrum is sampled at; an integral needs none.
+std::string nodes_text(const Job& job) {
+    const auto& wavelengths = job.light->settings.wavelengths;
+    return wavelengths ? std::to_string(*wavelengths) + " wavelengths" : std::string(name_of(integral_words, job.integral));
+}
+
+std::string axis_text(const Axis& axis) {
+    if (axis.is_angle()) return std::string(axis.kind->name);
+    return axis.parameter.name + " " + number_text(axis.from) + " to " + number_text(axis.to);
+}
+
+std::string bound_text(const SettledLut& settled) {
+    if (!settled.lut.wish.is_binding) return short_number(settled.predicted.total);
+    return short_number(settled.predicted.total) + " of " + number_text(settled.lut.wish.max_de00);
+}
+
+const std::vector<std::string> heading{"LUT",      "x",           "y",        "texels",        "format", "integral",
+                                       "expected dE00", "spectrum", "interpolation", "storage", "time"};
+const std::vector<bool> right_aligned{false, false, false, true, false, false, true, true, true, true, true};
+
+std::vector<std::string> table_row(const SettledTask& task, double seconds) {
+    const SettledLut& settled = task.lut;
+    const Job& job = settled.lut.job;
+    const ErrorSplit& error = settled.predicted;
+    const bool is_known = task.scene->transform.has_way_back();
+    const auto known = [&](const std::string& text) { return is_known ? text : std::string("unknown"); };
+    return {settled.lut.name,
+            axis_text(job.x),
+            job.y ? axis_text(*job.y) : "",
+            size_text(job),
+            std::string(name_of(format_words, settled.lut.format)),
+            nodes_text(job),
+            known(bound_text(settled)),
+            known(short_number(error.spectrum)),
+            known(short_number(error.interpolation)),
+            known(short_number(error.storage)),
+            duration_text(seconds)};
+}
+
+nlohmann::ordered_json axis_json(const Axis& axis) {
+    if (axis.is_angle()) return {{"axis", axis.kind->name}};
+    return {{"parameter", axis.parameter.name}, {"from", axis.from}, {"to", axis.to}};
+}
+
+nlohmann::ordered_json task_json(const SettledTask& task, double seconds) {
+    const SettledLut& settled = task.lut;
+    const PlannedLut& lut = settled.lut;
+    const Job& job = lut.job;
+    nlohmann::ordered_json json{{"scene", task.scene->path}, {"lut", lut.name}, {"material", job.material.name}};
+    json["mechanism"] = mechanism_name(job.material.mechanism);
+    json["x"] = axis_json(job.x);
+    if (job.y) json["y"] = axis_json(*job.y);
+    json["width"] = job.width;
+    json["height"] = job.height;
+    json["format"] = name_of(format_words, lut.format);
+    json["wavelengths"] = nullptr;
+    if (job.light->settings.wavelengths) {
+        json["wavelengths"] = *job.light->settings.wavelengths;
+    } else {
+        json["integral"] = name_of(integral_words, job.integral);
+    }
+    json["max_de00"] = nullptr;
+    if (lut.wish.is_binding) json["max_de00"] = lut.wish.max_de00;
+    json["predicted"] = nullptr;
+    if (task.scene->transform.has_way_back()) {
+        json["predicted"] = {{"de00", settled.predicted.total},
+                             {"spectrum", settled.predicted.spectrum},
+                             {"interpolation", settled.predicted.interpolation},
+                             {"storage", settled.predicted.storage}};
+    }
+    json["reached"] = settled.is_reached || !lut.wish.is_binding;
+    if (!settled.obstacle.empty()) json["obstacle"] = settled.obstacle;
+    json["seconds"] = {{"deciding", task.seconds}, {"baking", seconds}};
+    json["work"] = {{"deciding", work_json(settled.work)},
+                    {"baking", work_json(bake_work(job, settled.worst.size()))}};
+    json["files"] = output_files(lut);
+    return json;
+}
+
+// What a scene's picks ask for that no surface can do.
+void note_clamps(const LoadedScene& scene, Console& console) {
+    for (const Material& material : scene.plan.materials) {
+        const auto* palette = std::get_if<Palette>(&material.mechanism);
+        if (palette == nullptr) continue;
+        const ClampBounds bounds = palette_clamp_bounds(*palette);
+        const auto note = [&](const char* side, const std::optional<double>& angle_deg) {
+            if (!angle_deg) return;
+            console.summary(material.name + ": clamped " + side + " " + short_number(*angle_deg) +
+                            " deg, where its picks lead to a reflectance outside 0 to 1, or a width below 0");
+        };
+        note("below", bounds.below_deg);
+        note("above", bounds.above_deg);
+    }
+}
+
+std::vector<SettledTask> list_luts(const std::vector<LoadedScene>& scenes, const std::vector<std::string>& only) {
+    std::vector<SettledTask> tasks;
+    std::vector<std::string> known;
+    for (const LoadedScene& scene : scenes) {
+        for (const PlannedLut& lut : scene.plan.luts) {
+            known.push_back(lut.name);
+            if (!only.empty() && std::find(only.begin(), only.end(), lut.name) == only.end()) continue;
+            SettledTask& task = tasks.emplace_back();
+            task.scene = &scene;
+            task.asked = &lut;
+        }
+    }
+    for (const std::string& name : only) {
+        if (std::find(known.begin(), known.end(), name) == known.end())
+            throw Error("--only " + name + ": the scenes have no LUT of that name; known: " + known_like(name, known));
+    }
+    return tasks;
+}
+
+int run_plan(const PlanOptions& options, Console& console) {
+    std::vector<LoadedScene> scenes = load_scenes(options.scenes, options.ocio, true, console);
+    override_accuracy(scenes, options.accuracy);
+    std::vector<SettledTask> tasks = list_luts(scenes, options.only);
+    settle_all(tasks, options.threads, console);
+    std::vector<std::vector<std::string>> rows{heading};
+    nlohmann::ordered_json json = nlohmann::ordered_json::array();
+    bool any_failed = false;
+    for (const SettledTask& task : tasks) {
+        throw_if_stopped();
+        if (!task.failure.empty()) {
+            console.error(task.failure);
+            any_failed = true;
+            continue;
+        }
+        const double seconds = rehearse(task);
+        rows.push_back(table_row(task, seconds));
+        json.push_back(task_json(task, seconds));
+    }
+    for (const std::string& line : table_lines(rows, right_aligned)) console.summary(line);
+    for (const LoadedScene& scene : scenes) {
+        note_clamps(scene, console);
+        for (const PlannedSwatch& swatch : scene.plan.swatches)
+            console.summary(swatch.name + ".png: " + std::string(name_of(swatch_words, swatch.kind)));
+    }
+    if (console.json()) console.result_json({{"luts", json}});
+    if (report_out_of_reach(tasks, false, console) > 0) return exit_not_verified;
+    return any_failed ? exit_some_failed : exit_done;
+}
+
+}  // namespace
+
+Command add_plan_command(CLI::App& app) {
+    const auto options = std::make_shared<PlanOptions>();
+    app.add_option("SCENE", options->scenes, "scene files (TOML)")->required()->type_name("");
+    add_accuracy_option(app, options->accuracy);
+    app.add_option("--only", options->only, "only the LUT of this name; may be repeated")
+        ->type_name("NAME")
+        ->allow_extra_args(false);
+    app.add_option("--ocio", options->ocio, "OpenColorIO config; wins over the scene's, which wins over $OCIO")
+        ->type_name("FILE");
+    app.add_option("--threads", options->threads, "threads at once; 0: one per core")
+        ->type_name("N")
+        ->check(CLI::Range(0, 1024))
+        ->capture_default_str();
+    app.footer(
+        "\nPer LUT: axes, size, format, how spectra become colour; the error to expect (CIEDE2000, the largest over the\n"
+        "LUT) and what spectrum, interpolation and storage have in it; the time that one thread of this machine needs.\n"
+        "Writes nothing. Exit code 4 if a bound is out of reach.\n\nExample:\n"
+        "  nacre plan configs/scenes/morpho.toml --accuracy 0.5\n");
+    return [options](Console& console) { return run_plan(*options, console); };
+}
+
+}  // namespace nacre

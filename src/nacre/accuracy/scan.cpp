@@ -169,14 +169,7 @@ std::vector<double> landmarks(const Job& job, double y) {
     if (!job.x.is_angle()) return {};
     const Mechanism mechanism = mechanism_at(job, 0.0, y);
     struct Angles {
-        std::vector<double> operator()(const Palette& palette) const {
-            std::vector<double> angles_deg;
-            for (const Pick& pick : palette.picks) angles_deg.push_back(pick.angle_deg);
-            const ClampBounds bounds = palette_clamp_bounds(palette);
-            if (bounds.below_deg) angles_deg.push_back(*bounds.below_deg);
-            if (bounds.above_deg) angles_deg.push_back(*bounds.above_deg);
-            return angles_deg;
-        }
+        std::vector<double> operator()(const Palette& palette) const { return palette_bends_deg(palette); }
     };
     std::vector<double> coordinates;
     for (const double angle_deg : std::visit(Angles{}, mechanism))

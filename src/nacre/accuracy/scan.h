@@ -27,7 +27,7 @@ struct Scan {
 Scan scan_errors(Trial& trial, double limit = std::numeric_limits<double>::infinity(), std::span<const LutPoint> first = {},
                  bool unrounded = false);
 
-/// Coordinates on x at which the model turns sharply: picks, and the angle at which a clamp begins.
+/// Coordinates on x at which the model turns sharply: picks, and angles at which a clamp begins.
 std::vector<double> landmarks(const Job& job, double y);
 
 }  // namespace nacre

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <cstddef>
 #include <numbers>
+#include <optional>
+#include <utility>
 
 namespace nacre {
 namespace {
@@ -24,6 +26,13 @@ double inner_slope(double left_step, double left_secant, double right_step, doub
 // The three numbers that are interpolated alike.
 constexpr std::array<double Lobe::*, 3> lobe_members{&Lobe::peak_nm, &Lobe::width_nm, &Lobe::height};
 
+// Y(a) - Y(b) in which the cosines may cancel. Its rounding, 1e-16, is nothing beside steps of this length and more;
+// shape_difference() is two sines dearer.
+double plain_difference(double shape, const Incidence& a, const Incidence& b) {
+    return (a.cos_theta - b.cos_theta) * (shape * (a.cos_theta + b.cos_theta) + (1.0 - shape));
+}
+constexpr double long_step = 0.01;
+
 bool needs_clamping(const Lobe& lobe) {
     return lobe.height < 0.0 || lobe.height > 1.0 || lobe.width_nm < 0.0;
 }
@@ -41,8 +50,25 @@ PaletteCurve::PaletteCurve(const Palette& palette) {
     reset(palette);
 }
 
+// Where only lobes move, as along most axes, angles and steps are known.
+bool PaletteCurve::has_angles_of(const Palette& palette) const {
+    return palette.shape == shape_ && std::equal(palette.picks.begin(), palette.picks.end(), nodes_.begin(), nodes_.end(),
+                                                 [](const Pick& pick, const Node& node) {
+                                                     return pick.angle_deg == node.at.theta_deg;
+                                                 });
+}
+
 void PaletteCurve::reset(const Palette& palette) {
     assert(!palette.picks.empty());
+    if (has_angles_of(palette)) {
+        for (std::size_t i = 0; i < nodes_.size(); ++i) nodes_[i].lobe = palette.picks[i].lobe;
+    } else {
+        set_angles(palette);
+    }
+    set_slopes();
+}
+
+void PaletteCurve::set_angles(const Palette& palette) {
     shape_ = palette.shape;
     nodes_.clear();
     for (const Pick& pick : palette.picks)
@@ -53,7 +79,15 @@ void PaletteCurve::reset(const Palette& palette) {
     const auto same_angle = [](const Node& a, const Node& b) { return a.at.theta_deg == b.at.theta_deg; };
     nodes_.erase(std::unique(nodes_.begin(), nodes_.end(), same_angle), nodes_.end());
     const std::size_t last = nodes_.size() - 1;
-    for (std::size_t i = 0; i < last; ++i) nodes_[i].step = shape_difference(shape_, nodes_[i + 1].at, nodes_[i].at);
+    for (std::size_t i = 0; i < last; ++i) {
+        // By the very formula that differences from the node are taken with, so that a pick is met exactly.
+        nodes_[i].step = plain_difference(shape_, nodes_[i + 1].at, nodes_[i].at);
+        if (std::abs(nodes_[i].step) < long_step) nodes_[i].step = shape_difference(shape_, nodes_[i + 1].at, nodes_[i].at);
+    }
+}
+
+void PaletteCurve::set_slopes() {
+    const std::size_t last = nodes_.size() - 1;
     if (last < 2) return;
     for (const auto member : lobe_members) {
         const auto secant = [&](std::size_t i) {
@@ -68,13 +102,18 @@ void PaletteCurve::reset(const Palette& palette) {
     }
 }
 
+double PaletteCurve::difference_from(const Node& node, const Incidence& incidence) const {
+    return std::abs(node.step) < long_step ? shape_difference(shape_, incidence, node.at)
+                                           : plain_difference(shape_, incidence, node.at);
+}
+
 Lobe PaletteCurve::unclamped(const Incidence& incidence) const {
     if (nodes_.size() == 1) return nodes_.front().lobe;
     std::size_t i = 0;
     while (i + 2 < nodes_.size() && incidence.theta_deg > nodes_[i + 1].at.theta_deg) ++i;
     const Node& left = nodes_[i];
     const Node& right = nodes_[i + 1];
-    const double t = shape_difference(shape_, incidence, left.at) / left.step;
+    const double t = difference_from(left, incidence) / left.step;
     Lobe lobe;
     for (const auto member : lobe_members) {
         const double v0 = left.lobe.*member;
@@ -111,24 +150,52 @@ Lobe palette_lobe(const Palette& palette, const Incidence& incidence) {
     return PaletteCurve(palette).at(incidence);
 }
 
-ClampBounds palette_clamp_bounds(const Palette& palette) {
-    // Beyond an outer pick all three numbers are monotone in the angle, so bisection finds the one crossing.
-    const PaletteCurve curve(palette);
-    const auto crossing = [&](double inside_deg, double outside_deg) -> std::optional<double> {
-        const auto clamped = [&](double angle_deg) {
-            return needs_clamping(curve.unclamped(Incidence::from_degrees(angle_deg)));
-        };
-        if (!clamped(outside_deg)) return std::nullopt;
-        for (int halving = 0; halving < 60; ++halving) {
-            const double middle_deg = 0.5 * (inside_deg + outside_deg);
-            (clamped(middle_deg) ? outside_deg : inside_deg) = middle_deg;
-        }
-        return outside_deg;
-    };
+namespace {
+
+// Beyond an outer pick all three numbers are monotone in the angle, so bisection finds the one crossing.
+//
+// @param is_beyond  what no surface can do, false at inside_deg
+// @return the first angle found beyond; nothing if not even outside_deg is
+template <typename IsBeyond>
+std::optional<double> crossing_deg(const PaletteCurve& curve, double inside_deg, double outside_deg,
+                                   IsBeyond is_beyond) {
+    const auto beyond = [&](double angle_deg) { return is_beyond(curve.unclamped(Incidence::from_degrees(angle_deg))); };
+    if (!beyond(outside_deg)) return std::nullopt;
+    for (int halving = 0; halving < 60; ++halving) {
+        const double middle_deg = 0.5 * (inside_deg + outside_deg);
+        (beyond(middle_deg) ? outside_deg : inside_deg) = middle_deg;
+    }
+    return outside_deg;
+}
+
+std::pair<double, double> outer_picks_deg(const Palette& palette) {
     const auto [first, last] =
         std::minmax_element(palette.picks.begin(), palette.picks.end(),
                             [](const Pick& a, const Pick& b) { return a.angle_deg < b.angle_deg; });
-    return {crossing(first->angle_deg, 0.0), crossing(last->angle_deg, 90.0)};
+    return {first->angle_deg, last->angle_deg};
+}
+
+}  // namespace
+
+ClampBounds palette_clamp_bounds(const Palette& palette) {
+    const PaletteCurve curve(palette);
+    const auto [first_deg, last_deg] = outer_picks_deg(palette);
+    return {crossing_deg(curve, first_deg, 0.0, needs_clamping), crossing_deg(curve, last_deg, 90.0, needs_clamping)};
+}
+
+std::vector<double> palette_bends_deg(const Palette& palette) {
+    const PaletteCurve curve(palette);
+    const auto [first_deg, last_deg] = outer_picks_deg(palette);
+    std::vector<double> bends_deg;
+    for (const Pick& pick : palette.picks) bends_deg.push_back(pick.angle_deg);
+    const auto add_crossings = [&](auto is_beyond) {
+        if (const auto below = crossing_deg(curve, first_deg, 0.0, is_beyond)) bends_deg.push_back(*below);
+        if (const auto above = crossing_deg(curve, last_deg, 90.0, is_beyond)) bends_deg.push_back(*above);
+    };
+    add_crossings([](const Lobe& lobe) { return lobe.height < 0.0; });
+    add_crossings([](const Lobe& lobe) { return lobe.height > 1.0; });
+    add_crossings([](const Lobe& lobe) { return lobe.width_nm < 0.0; });
+    return bends_deg;
 }
 
 }  // namespace nacre

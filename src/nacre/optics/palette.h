@@ -63,6 +63,11 @@ private:
         double step = 0.0;  // Y of the next node less Y of this one
         Lobe slope;         // per unit of Y; unused for two picks
     };
+    bool has_angles_of(const Palette& palette) const;
+    void set_angles(const Palette& palette);
+    void set_slopes();
+    double difference_from(const Node& node, const Incidence& incidence) const;
+
     std::vector<Node> nodes_;
     double shape_ = 0.0;
 };
@@ -80,5 +85,9 @@ struct ClampBounds {
 /// Never between the picks, because the interpolation does not overshoot; so at most once on either side.
 /// Accuracy: 1e-13 degrees (bisection to the last bits).
 ClampBounds palette_clamp_bounds(const Palette& palette);
+
+/// Angles at which a palette's lobe turns sharply, in no order: its picks, and wherever its height reaches 0 or 1 or its
+/// width 0 beyond them. Accuracy of the latter: 1e-13 degrees.
+std::vector<double> palette_bends_deg(const Palette& palette);
 
 }  // namespace nacre

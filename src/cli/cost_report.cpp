@@ -39,6 +39,21 @@ std::string bytes_text(std::size_t bytes) {
     return bytes < 10240 ? std::to_string(bytes) + " B" : std::to_string((bytes + 512) / 1024) + " kB";
 }
 
+// What stands beside a point in the picture. Choices that came out alike share one: "5, 2".
+std::string mark_of(const std::vector<CostRow>& rows, std::size_t i) {
+    const CostCase& cost = rows[i].cost;
+    if (cost.family != CostFamily::choice) return cost.label;
+    const auto is_twin = [&](std::size_t j) {
+        const CostCase& other = rows[j].cost;
+        return other.family == CostFamily::choice && other.job.width == cost.job.width &&
+               other.job.height == cost.job.height && other.format == cost.format;
+    };
+    if (i + 1 < rows.size() && is_twin(i + 1)) return "=";  // the next one speaks for both
+    std::string mark = cost.label;
+    for (std::size_t j = i; j > 0 && is_twin(j - 1); --j) mark = rows[j - 1].cost.label + "; " + mark;
+    return mark;
+}
+
 }  // namespace
 
 std::vector<std::string> cost_lines(const std::vector<CostRow>& rows) {
@@ -60,16 +75,15 @@ std::vector<std::string> cost_lines(const std::vector<CostRow>& rows) {
 
 std::string cost_csv(const std::vector<CostRow>& rows, const std::string& comment) {
     std::string text = "# " + comment +
-                       "\nfamily,label,axis,format,width,height,bytes,bound,de00,seconds,all_seconds,predicted_de00\n";
-    for (const CostRow& row : rows) {
+                       "\nfamily,label,axis,format,width,height,bytes,bound,de00,seconds,all_seconds,predicted_de00,mark\n";
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        const CostRow& row = rows[i];
         const CostCase& cost = row.cost;
-        std::string label = cost.label;
-        std::erase(label, ',');
-        text += std::string(family_name(cost.family)) + "," + label + "," + cost.axis + "," + cost.format + "," +
+        text += std::string(family_name(cost.family)) + "," + cost.label + "," + cost.axis + "," + cost.format + "," +
                 std::to_string(cost.job.width) + "," + std::to_string(cost.job.height) + "," +
                 std::to_string(cost.bytes) + "," + (cost.bound > 0.0 ? number_text(cost.bound) : "") + "," +
                 number_text(row.de00) + "," + number_text(row.seconds) + "," + number_text(row.all_seconds) + "," +
-                (cost.predicted > 0.0 ? number_text(cost.predicted) : "") + "\n";
+                (cost.predicted > 0.0 ? number_text(cost.predicted) : "") + "," + mark_of(rows, i) + "\n";
     }
     return text;
 }

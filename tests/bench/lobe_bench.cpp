@@ -1,11 +1,15 @@
-// One lobe to XYZ, widths 40 to 400 nm: the exact integral beside the sums that others make, and beside its simple
-// twin.
+// One lobe to XYZ, widths 40 to 400 nm: the exact integral and the fast one beside the sums that others make, and beside
+// their simple twin.
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
 #include <cmath>
 
+#include "nacre/accuracy/rivals.h"
+#include "nacre/bake/light.h"
+#include "nacre/colour/difference.h"
 #include "nacre/colour/illuminant.h"
+#include "nacre/colour/lobe_moments.h"
 #include "nacre/colour/tristimulus.h"
 #include "nacre/optics/lobe.h"
 
@@ -44,21 +48,40 @@ void over_widths(benchmark::State& state, ToXyz to_xyz) {
     }
     // What the time buys: the largest error of X, Y or Z over widths and peaks, against the closed form of every cell.
     double error = 0.0;
+    double de00 = 0.0;
     for (double width_nm = 40.0; width_nm <= 400.0; width_nm += 3.7) {
         for (double peak_nm = 400.0; peak_nm <= 700.0; peak_nm += 13.7) {
             const Xyz reference = lobe_to_xyz_per_cell(weights(), peak_nm, width_nm, 1.0);
             const Xyz colour = to_xyz(Lobe{peak_nm, width_nm, 1.0});
             error = std::max({error, std::abs(colour.x - reference.x), std::abs(colour.y - reference.y),
                               std::abs(colour.z - reference.z)});
+            const auto lab = [&](const Xyz& c) {
+                return to_lab({c.x / reference.y, c.y / reference.y, c.z / reference.y}, weights().white);
+            };
+            de00 = std::max(de00, ciede2000(lab(colour), lab(reference)));
         }
     }
     state.counters["error"] = error;
+    state.counters["dE00"] = de00;  // where the lobe itself is shown at Y = 1
     state.counters["per_lobe"] =
         benchmark::Counter(static_cast<double>(lobes), benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
 }
 
 void exact(benchmark::State& state) {
     over_widths(state, [](const Lobe& l) { return lobe_to_xyz(weights(), l.peak_nm, l.width_nm, l.height); });
+}
+void fast(benchmark::State& state) {
+    static const LobeMoments moments = make_lobe_moments(weights());
+    over_widths(state,
+                [](const Lobe& l) { return lobe_to_xyz_fast(weights(), moments, l.peak_nm, l.width_nm, l.height); });
+}
+// A sum as well as one can be made: weights side by side, cosines by SIMD recurrence.
+void good_1nm_sum(benchmark::State& state) {
+    LightSettings settings;
+    settings.power = *illuminant_by_name("D65");
+    settings.adaptation = Adaptation::none;
+    const auto sum = make_sum_rival(make_light(settings), 1);
+    over_widths(state, [&](const Lobe& l) { return sum->to_xyz(l); });
 }
 void exact_per_cell(benchmark::State& state) {
     over_widths(state, [](const Lobe& l) { return lobe_to_xyz_per_cell(weights(), l.peak_nm, l.width_nm, l.height); });
@@ -70,7 +93,9 @@ void plain_5nm_sum(benchmark::State& state) {
     over_widths(state, [](const Lobe& l) { return plain_sum(l, 5); });
 }
 
+BENCHMARK(fast);
 BENCHMARK(exact);
+BENCHMARK(good_1nm_sum);
 BENCHMARK(exact_per_cell);
 BENCHMARK(plain_1nm_sum);
 BENCHMARK(plain_5nm_sum);

@@ -110,8 +110,8 @@ private:
         for (const int step_nm : sum_steps_nm)
             add_rival(std::to_string(step_nm) + " nm sum", make_sum_rival(light, step_nm));
         if (light.settings.observer == Observer::cie1931_2deg)
-            add_rival("fitted observer, 5 nm", make_fit_rival(light, false));
-        add_rival("single-lobe fit, 5 nm", make_fit_rival(light, true));
+            add_rival("Wyman fit at 5 nm", make_fit_rival(light, false));
+        add_rival("Wyman single-lobe fit at 5 nm", make_fit_rival(light, true));
         add_rival("three wavelengths", make_three_wavelengths_rival());
     }
 

@@ -141,6 +141,7 @@ int bake_tasks(const std::vector<BakeTask>& tasks, const BakeOptions& options, C
         std::any_of(tasks.begin(), tasks.end(), [](const BakeTask& task) { return task.draws_picture(); });
     const auto font = any_picture ? find_font() : std::filesystem::path();
     OutputFolder folder(options.folder);
+    prepare_encoder();
     const BakeTarget target{folder, font, options.force, options.best_effort};
     tbb::task_arena arena(options.threads > 0 ? options.threads : tbb::task_arena::automatic);
     Tally tally;
@@ -203,7 +204,7 @@ Command add_bake_command(CLI::App& app) {
     const auto options = std::make_shared<BakeOptions>();
     declare_common(app, *options);
     add_accuracy_option(app, options->accuracy);
-    app.add_flag("--best-effort", options->best_effort, "write LUTs whose bound is out of reach as well as they can be");
+    app.add_flag("--best-effort", options->best_effort, "write LUTs whose bound is out of reach too, as good as they get");
     app.add_option("--shard", options->shard, "only every N-th LUT and swatch, from the I-th on; for farms")
         ->type_name("I/N");
     app.footer(

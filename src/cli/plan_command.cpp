@@ -146,6 +146,7 @@ int run_plan(const PlanOptions& options, Console& console) {
     std::vector<std::vector<std::string>> rows{heading};
     nlohmann::ordered_json json = nlohmann::ordered_json::array();
     bool any_failed = false;
+    prepare_encoder();
     for (const SettledTask& task : tasks) {
         throw_if_stopped();
         if (!task.failure.empty()) {

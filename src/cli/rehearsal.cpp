@@ -1,24 +1,21 @@
 #include "cli/rehearsal.h"
 
 #include <algorithm>
-#include <chrono>
+
+#include "cli/thread_clock.h"
 
 namespace nacre {
 namespace {
 
-constexpr int most_texels = 4096;
+constexpr int most_texels = 32768;
 
-// Of three: the first finds cold caches, one may be interrupted.
+// Once only: a bake finds the caches cold too, and so the first LUT of a plan takes as long as the first of a bake.
 double seconds_of(const SettledLut& lut, const LoadedScene& scene) {
-    double best = 0.0;
-    for (int run = 0; run < 3; ++run) {
-        const auto begin = std::chrono::steady_clock::now();
-        const BakedLut baked = bake_lut(lut, scene.plan.colour, scene.source, scene.transform);
-        const auto bytes = encode_lut(baked.image, lut.lut.format, baked.header).size() + manifest_json(lut, baked).size();
-        const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-        if (bytes > 0 && (run == 0 || seconds < best)) best = seconds;
-    }
-    return best;
+    const double begin = thread_seconds();
+    const BakedLut baked = bake_lut(lut, scene.plan.colour, scene.source, scene.transform);
+    const std::string exr = encode_lut(baked.image, lut.lut.format, baked.header);
+    const std::string manifest = manifest_json(lut, baked);
+    return thread_seconds() - begin;
 }
 
 }  // namespace

@@ -4,10 +4,10 @@
 #include <tbb/task_arena.h>
 
 #include <atomic>
-#include <chrono>
 
 #include "cli/report.h"
 #include "cli/stop_signal.h"
+#include "cli/thread_clock.h"
 #include "nacre/error.h"
 
 namespace nacre {
@@ -33,7 +33,7 @@ void settle_all(std::vector<SettledTask>& tasks, int threads, Console& console) 
         tbb::parallel_for(std::size_t{0}, tasks.size(), [&](std::size_t i) {
             throw_if_stopped();
             SettledTask& task = tasks[i];
-            const auto begin = std::chrono::steady_clock::now();
+            const double begin = thread_seconds();
             try {
                 const LoadedScene& scene = *task.scene;
                 task.lut = settle(*task.asked, lut_encoding(scene.transform, scene.plan.colour.gamut));
@@ -42,7 +42,7 @@ void settle_all(std::vector<SettledTask>& tasks, int threads, Console& console) 
             } catch (const Error& error) {
                 task.failure = task.asked->where.text() + " " + task.asked->name + ": " + error.what();
             }
-            task.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+            task.seconds = thread_seconds() - begin;
             console.progress(++done, tasks.size());
         });
     });

@@ -16,7 +16,7 @@ struct SettledTask {
     const LoadedScene* scene = nullptr;
     const PlannedLut* asked = nullptr;
     SettledLut lut;
-    double seconds = 0.0;  ///< what deciding took, on one thread
+    double seconds = 0.0;  ///< what deciding took, of one thread
     std::string failure;   ///< why nothing could be decided; empty if it could
 };
 

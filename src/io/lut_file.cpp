@@ -112,6 +112,10 @@ std::string encode_lut(const Image<Rgb>& image, PixelFormat format, const LutHea
     return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
 }
 
+void prepare_encoder() {
+    encode_lut(Image<Rgb>(1, 1), PixelFormat::half_float, {});
+}
+
 StoredLut read_lut(const std::string& path) {
     const auto input = OIIO::ImageInput::open(path);
     if (!input) throw IoError(path + ": cannot be read: " + OIIO::geterror());

@@ -33,6 +33,9 @@ void check_storable(const Image<Rgb>& image, PixelFormat format);
 /// Throws Error if a component is not finite or too large for the format, IoError if the encoder fails.
 std::string encode_lut(const Image<Rgb>& image, PixelFormat format, const LutHeader& header);
 
+/// Has OpenImageIO set itself up, a millisecond that else the first LUT of a process would be charged with.
+void prepare_encoder();
+
 /// A LUT as it is stored.
 struct StoredLut {
     Image<Rgb> image;

@@ -57,8 +57,16 @@ const std::vector<Mistake> mistakes{
     {"ControlCharacters", scene("[lut.a]\nmaterial = \"m\\u0000\"\n"),
      ":5:12 [lut.a]: material is 2 bytes with control characters among them; allowed is plain text of up to 4096 "
      "bytes"},
-    {"KeyOfLaterWork", scene("[accuracy]\nmax_de00 = 0.1\n"),
-     ":5:1 [accuracy]: unknown key \"max_de00\"; known: wavelengths, size"},
+    {"MisspeltBound", scene("[accuracy]\nmax_de2000 = 0.1\n"),
+     ":5:1 [accuracy]: unknown key \"max_de2000\"; known: max_de00, wavelengths, integral, size"},
+    {"BoundOfNothing", scene("[accuracy]\nmax_de00 = 0\n"),
+     ":5:12 [accuracy]: max_de00 = 0 is out of range; allowed [1e-05, 100]"},
+    {"BoundThatIsNoNumber", scene("[accuracy]\nmax_de00 = \"small\"\n"),
+     ":5:12 [accuracy]: max_de00 = \"small\" is a string; give a number"},
+    {"UnknownIntegral", scene("[accuracy]\nintegral = \"riemann\"\n"),
+     ":5:12 [accuracy]: unknown integral \"riemann\"; known: exact, fast"},
+    {"IntegralAndWavelengths", scene("[accuracy]\nwavelengths = 50\nintegral = \"fast\"\n"),
+     ":6:12 [accuracy]: integral says how to do without wavelengths, and wavelengths is given; leave one of them out"},
     {"WrongType", picks("angle_deg = \"0\", peak_nm = 460, width_nm = 70, height = 1", pick_b),
      ":3:19 [material.beetle]: angle_deg = \"0\" is a string; give a number"},
     {"MissingKey", picks("angle_deg = 0, peak_nm = 460, width_nm = 70", pick_b),
@@ -247,7 +255,7 @@ TEST(BadCommandLine, UnknownNameOfOnlyIsAnError) {
     error_of({"bake"}, folder, 2);
     error_of({"bake", "s.toml", "--fast"}, folder, 2);
     EXPECT_EQ(error_of({"frobnicate"}, folder, 2),
-              "nacre: unknown command \"frobnicate\"; known: bake, swatch, spectrum, verify, snippet, figures\n");
+              "nacre: unknown command \"frobnicate\"; known: bake, swatch, plan, cost, spectrum, verify, snippet, figures\n");
     error_of({"snippet", "wgsl"}, folder, 2);
 }
 

@@ -16,7 +16,8 @@ namespace nacre {
 namespace {
 
 // What is left of the bound once a scan's own blur is taken off: see scan_errors().
-constexpr double of_bound = 0.98;
+constexpr double of_bound_in_1d = 0.995;
+constexpr double of_bound_in_2d = 0.98;
 // What `fast` may use of it.
 constexpr double share_of_fast = 0.1;
 
@@ -50,11 +51,8 @@ std::vector<PixelFormat> formats_of(const std::optional<PixelFormat>& wish) {
     return {PixelFormat::half_float, PixelFormat::single_float};
 }
 
-// Two digits: what a message about an error needs.
 std::string error_text(double error) {
-    if (!(error > 0.0) || !std::isfinite(error)) return number_text(error);
-    const double unit = std::pow(10.0, std::floor(std::log10(error)) - 1.0);
-    return number_text(std::round(error / unit) * unit);
+    return significant_text(error, 2);
 }
 
 std::string size_text(const Job& job) {
@@ -122,7 +120,7 @@ private:
     // The error that a scan of a candidate may find.
     double limit() const {
         const bool scan_sees_spectrum = samples() && !model_samples();
-        return of_bound * wish_.max_de00 -
+        return (result_.lut.job.y ? of_bound_in_2d : of_bound_in_1d) * wish_.max_de00 -
                (scan_sees_spectrum || model_samples() ? 0.0 : result_.predicted.spectrum);
     }
 

@@ -56,8 +56,8 @@ void keep_only(std::vector<BakeTask>& tasks, const std::vector<std::string>& onl
         throw Error("--only " + name + ": the scenes have no LUT or swatch of that name" +
                     (near.empty() ? "" : "; did you mean " + comma_separated(near) + "?"));
     }
-    std::erase_if(
-        tasks, [&](const BakeTask& task) { return std::find(only.begin(), only.end(), task.name()) == only.end(); });
+    std::erase_if(tasks,
+                  [&](const BakeTask& task) { return std::find(only.begin(), only.end(), task.name()) == only.end(); });
 }
 
 // "I/N", 1 <= I <= N: every N-th task, beginning with the I-th.
@@ -125,10 +125,10 @@ struct Tally {
 
     int report(Console& console) const {
         if (outside_gamut > 0) {
-            console.warning(
-                std::to_string(outside_gamut) + (outside_gamut == 1 ? " LUT has" : " LUTs have") +
-                " negative components, because the colour lies outside the target's gamut; [colour] gamut = \"clip\" or "
-                "\"compress\" removes them, a wider space keeps the colour");
+            console.warning(std::to_string(outside_gamut) + (outside_gamut == 1 ? " LUT has" : " LUTs have") +
+                            " negative components, because the colour lies outside the target's gamut; [colour] gamut "
+                            "= \"clip\" or "
+                            "\"compress\" removes them, a wider space keeps the colour");
         }
         if (console.json()) console.result_json({{"luts", luts}, {"swatches", swatches}, {"failures", failures}});
         if (misses_bound) return exit_not_verified;
@@ -204,7 +204,8 @@ Command add_bake_command(CLI::App& app) {
     const auto options = std::make_shared<BakeOptions>();
     declare_common(app, *options);
     add_accuracy_option(app, options->accuracy);
-    app.add_flag("--best-effort", options->best_effort, "write LUTs whose bound is out of reach too, as good as they get");
+    app.add_flag("--best-effort", options->best_effort,
+                 "write LUTs whose bound is out of reach too, as good as they get");
     app.add_option("--shard", options->shard, "only every N-th LUT and swatch, from the I-th on; for farms")
         ->type_name("I/N");
     app.footer(

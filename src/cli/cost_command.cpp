@@ -102,8 +102,7 @@ int run_cost(const CostOptions& options, Console& console) {
                                 ", one thread; time to compute, convert and round all texels, median of repeated runs";
     if (!options.folder.empty()) {
         OutputFolder folder(options.folder);
-        for (const auto& [name, bytes] :
-             cost_picture(rows, lut.name + "_cost", lut.name, bound, comment)) {
+        for (const auto& [name, bytes] : cost_picture(rows, lut.name + "_cost", lut.name, bound, comment)) {
             folder.write(name, bytes);
         }
         throw_if_stopped();
@@ -126,8 +125,10 @@ Command add_cost_command(CLI::App& app) {
     app.add_option("--ocio", options->ocio, "OpenColorIO config; wins over the scene's, which wins over $OCIO")
         ->type_name("FILE");
     app.footer(
-        "\nMakes a LUT in some sixty ways, and says of each how far its colours are off (CIEDE2000, the largest of what a\n"
-        "shader can fetch) and how long one thread took to make it: nacre's own choice for bounds from 5 to 0.002; sums\n"
+        "\nMakes a LUT in some sixty ways, and says of each how far its colours are off (CIEDE2000, the largest of "
+        "what a\n"
+        "shader can fetch) and how long one thread took to make it: nacre's own choice for bounds from 5 to 0.002; "
+        "sums\n"
         "over every 1 to 20 nm, fits of the observer, three wavelengths; fixed sizes on every axis; common mistakes.\n"
         "The picture needs gnuplot (Debian package gnuplot-nox).\n\nExample:\n"
         "  nacre cost configs/scenes/morpho.toml -o out\n");

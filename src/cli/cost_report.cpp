@@ -74,8 +74,9 @@ std::vector<std::string> cost_lines(const std::vector<CostRow>& rows) {
 }
 
 std::string cost_csv(const std::vector<CostRow>& rows, const std::string& comment) {
-    std::string text = "# " + comment +
-                       "\nfamily,label,axis,format,width,height,bytes,bound,de00,seconds,all_seconds,predicted_de00,mark\n";
+    std::string text =
+        "# " + comment +
+        "\nfamily,label,axis,format,width,height,bytes,bound,de00,seconds,all_seconds,predicted_de00,mark\n";
     for (std::size_t i = 0; i < rows.size(); ++i) {
         const CostRow& row = rows[i];
         const CostCase& cost = row.cost;
@@ -92,10 +93,14 @@ nlohmann::ordered_json cost_json(const std::vector<CostRow>& rows) {
     nlohmann::ordered_json json = nlohmann::ordered_json::array();
     for (const CostRow& row : rows) {
         const CostCase& cost = row.cost;
-        nlohmann::ordered_json entry{{"family", family_name(cost.family)}, {"label", cost.label},
-                                     {"axis", cost.axis},                  {"format", cost.format},
-                                     {"width", cost.job.width},            {"height", cost.job.height},
-                                     {"bytes", cost.bytes},                {"de00", row.de00},
+        nlohmann::ordered_json entry{{"family", family_name(cost.family)},
+                                     {"label", cost.label},
+                                     {"axis", cost.axis},
+                                     {"format", cost.format},
+                                     {"width", cost.job.width},
+                                     {"height", cost.job.height},
+                                     {"bytes", cost.bytes},
+                                     {"de00", row.de00},
                                      {"seconds", row.seconds}};
         if (cost.family == CostFamily::choice) {
             entry["max_de00"] = cost.bound;
@@ -115,9 +120,8 @@ std::vector<std::pair<std::string, std::string>> cost_picture(const std::vector<
     const std::string script = "# " + comment + "\n# Run in this folder: gnuplot " + name + ".gp\nname = '" + name +
                                "'\ntitle = '" + title + "'\nbound = " + number_text(bound) + "\n" +
                                std::string(cost_gp);
-    NamedFiles files{{name + ".csv", cost_csv(rows, comment)},
-                     {name + ".gp", script},
-                     {figure_style_file, figure_style_script()}};
+    NamedFiles files{
+        {name + ".csv", cost_csv(rows, comment)}, {name + ".gp", script}, {figure_style_file, figure_style_script()}};
     GnuplotResult plotted = run_gnuplot(files, name + ".gp", {name + ".png"});
     return {{name + ".png", plotted.files.at(name + ".png")},
             {name + ".csv", files.at(name + ".csv")},

@@ -11,8 +11,8 @@ namespace nacre {
 /// A way to make a LUT, with what it turned out to cost.
 struct CostRow {
     CostCase cost;
-    double de00 = 0.0;       ///< reached
-    double seconds = 0.0;    ///< to compute the texels, convert and round them: the median of the runs
+    double de00 = 0.0;         ///< reached
+    double seconds = 0.0;      ///< to compute the texels, convert and round them: the median of the runs
     double all_seconds = 0.0;  ///< of a choice: with deciding and measuring; else the same as seconds
 };
 

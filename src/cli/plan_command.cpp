@@ -27,7 +27,8 @@ struct PlanOptions {
 // How many wavelengths a spectrum is sampled at; an integral needs none.
 std::string nodes_text(const Job& job) {
     const auto& wavelengths = job.light->settings.wavelengths;
-    return wavelengths ? std::to_string(*wavelengths) + " wavelengths" : std::string(name_of(integral_words, job.integral));
+    return wavelengths ? std::to_string(*wavelengths) + " wavelengths"
+                       : std::string(name_of(integral_words, job.integral));
 }
 
 std::string axis_text(const Axis& axis) {
@@ -40,8 +41,8 @@ std::string bound_text(const SettledLut& settled) {
     return short_number(settled.predicted.total) + " of " + number_text(settled.lut.wish.max_de00);
 }
 
-const std::vector<std::string> heading{"LUT",      "x",           "y",        "texels",        "format", "integral",
-                                       "expected dE00", "spectrum", "interpolation", "storage", "time"};
+const std::vector<std::string> heading{
+    "LUT", "x", "y", "texels", "format", "integral", "expected dE00", "spectrum", "interpolation", "storage", "time"};
 const std::vector<bool> right_aligned{false, false, false, true, false, false, true, true, true, true, true};
 
 std::vector<std::string> table_row(const SettledTask& task, double seconds) {
@@ -97,8 +98,7 @@ nlohmann::ordered_json task_json(const SettledTask& task, double seconds) {
     json["reached"] = settled.is_reached || !lut.wish.is_binding;
     if (!settled.obstacle.empty()) json["obstacle"] = settled.obstacle;
     json["seconds"] = {{"deciding", task.seconds}, {"baking", seconds}};
-    json["work"] = {{"deciding", work_json(settled.work)},
-                    {"baking", work_json(bake_work(job, settled.worst.size()))}};
+    json["work"] = {{"deciding", work_json(settled.work)}, {"baking", work_json(bake_work(job, settled.worst.size()))}};
     json["files"] = output_files(lut);
     return json;
 }
@@ -185,8 +185,10 @@ Command add_plan_command(CLI::App& app) {
         ->check(CLI::Range(0, 1024))
         ->capture_default_str();
     app.footer(
-        "\nPer LUT: axes, size, format, how spectra become colour; the error to expect (CIEDE2000, the largest over the\n"
-        "LUT) and what spectrum, interpolation and storage have in it; the time that one thread of this machine needs.\n"
+        "\nPer LUT: axes, size, format, how spectra become colour; the error to expect (CIEDE2000, the largest over "
+        "the\n"
+        "LUT) and what spectrum, interpolation and storage have in it; the time that one thread of this machine "
+        "needs.\n"
         "Writes nothing. Exit code 4 if a bound is out of reach.\n\nExample:\n"
         "  nacre plan configs/scenes/morpho.toml --accuracy 0.5\n");
     return [options](Console& console) { return run_plan(*options, console); };

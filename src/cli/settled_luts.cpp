@@ -20,8 +20,9 @@ void override_accuracy(std::vector<LoadedScene>& scenes, double max_de00) {
                 lut.wish.is_binding = true;
             }
             if (!lut.wish.is_binding || scene.transform.has_way_back()) continue;
-            throw Error(lut.where.text() + " " + lut.name + ": space " + scene.transform.target() +
-                        " has no way back to XYZ, so no error can be measured in it; give [accuracy] size and no bound");
+            throw Error(
+                lut.where.text() + " " + lut.name + ": space " + scene.transform.target() +
+                " has no way back to XYZ, so no error can be measured in it; give [accuracy] size and no bound");
         }
     }
 }
@@ -36,7 +37,8 @@ void settle_all(std::vector<SettledTask>& tasks, int threads, Console& console) 
             const double begin = thread_seconds();
             try {
                 const LoadedScene& scene = *task.scene;
-                task.lut = settle(*task.asked, lut_encoding(scene.transform, scene.plan.colour.gamut));
+                task.lut =
+                    settle(*task.asked, lut_encoding(scene.transform, scene.plan.colour.gamut), throw_if_stopped);
             } catch (const IoError&) {
                 throw;
             } catch (const Error& error) {

@@ -21,8 +21,9 @@ std::string_view nacre_version();
 struct BakedLut {
     Image<Rgb> image;  ///< as stored: every component is one of the format's numbers
     LutHeader header;
-    std::optional<double> reached;  ///< largest error found, rounded up to three digits; nothing where it cannot be known
-    Work work;                      ///< baking and measuring; settling not counted
+    std::optional<double>
+        reached;          ///< largest error found, rounded up to three digits; nothing where it cannot be known
+    Work work;            ///< baking and measuring; settling not counted
     GamutReport gamut;    ///< before [colour] gamut was applied
     ClampBounds clamped;  ///< beyond these angles the picks ask for what no surface can do
 };

@@ -27,7 +27,7 @@ std::string one_line(std::string_view message);
 struct Conversion {
     OCIO::ConstCPUProcessorRcPtr cpu;
     std::optional<glm::dmat3> matrix;
-    std::string ctf;                        ///< empty unless made by make_conversion_with_ctf()
+    std::string ctf;                         ///< empty unless made by make_conversion_with_ctf()
     OCIO::ConstCPUProcessorRcPtr back = {};  ///< RGB -> XYZ; null for a matrix, and where OpenColorIO knows no way back
 };
 

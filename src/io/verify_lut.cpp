@@ -85,13 +85,12 @@ Verification verify_lut(const StoredLut& stored, const AfterRow& after_row) {
         const Plan plan = plan_of_header(stored);
         const auto transform = ColourTransform::from_ctf(stored.header.value("colourTransform"), plan.colour.space,
                                                          "header", stored.header.interop_id);
-        const SettledLut settled = settle(plan.luts.front(), lut_encoding(transform, plan.colour.gamut));
+        const SettledLut settled = settle(plan.luts.front(), lut_encoding(transform, plan.colour.gamut), after_row);
         const BakedLut again = bake_lut(settled, plan.colour, {}, transform, after_row);
         compare_headers(stored.header, again.header, result);
         compare_texels(stored, again.image, result);
         const Encoding encoding = lut_encoding(transform, plan.colour.gamut);
-        if (encoding.to_xyz)
-            result.error = measure(settled.lut.job, stored.image, encoding, settled.worst).reached;
+        if (encoding.to_xyz) result.error = measure(settled.lut.job, stored.image, encoding, settled.worst).reached;
     } catch (const IoError&) {
         throw;  // the system's refusal says nothing about the LUT
     } catch (const Error& error) {

@@ -1,5 +1,5 @@
-// One lobe to XYZ, widths 40 to 400 nm: the exact integral and the fast one beside the sums that others make, and beside
-// their simple twin.
+// One lobe to XYZ, widths 40 to 400 nm: the exact integral and the fast one beside the sums that others make, and
+// beside their simple twin.
 #include <benchmark/benchmark.h>
 
 #include <algorithm>

@@ -42,7 +42,8 @@ TEST(Accuracy, AskedAndReachedStandInHeaderManifestAndSummary) {
     EXPECT_EQ(accuracy["max_de00"], 0.5);
     EXPECT_EQ(accuracy["reached"], reached);
     EXPECT_NEAR(accuracy["predicted"].get<double>(), reached, 0.01 * reached);
-    EXPECT_NE(result.out.find("morpho.exr  128 x 1 half  lin_rec709  dE00 0.41 of 0.5"), std::string::npos) << result.out;
+    EXPECT_NE(result.out.find("morpho.exr  128 x 1 half  lin_rec709  dE00 0.41 of 0.5"), std::string::npos)
+        << result.out;
 }
 
 TEST(Accuracy, TheOptionWinsOverTheSceneAndTheSceneOverTheDefault) {
@@ -82,7 +83,8 @@ TEST_P(AccuracyOutOfReach, IsWrittenWithAWarningUnderBestEffort) {
     const ProgramResult result = bake(folder, std::string(GetParam().scene) + morpho + GetParam().lut,
                                       {"--accuracy", GetParam().bound, "--best-effort"});
     EXPECT_EQ(result.exit_code, 0) << result.err;
-    EXPECT_NE(result.err.find(std::string("nacre: warning: s.toml:") + GetParam().message), std::string::npos) << result.err;
+    EXPECT_NE(result.err.find(std::string("nacre: warning: s.toml:") + GetParam().message), std::string::npos)
+        << result.err;
     const LutHeader header = read_lut((folder.path() / "out/morpho.exr").string()).header;
     EXPECT_EQ(header.value("accuracyAsked"), GetParam().bound);
     EXPECT_GT(std::stod(header.value("accuracyReached")), std::stod(GetParam().bound));
@@ -92,19 +94,23 @@ TEST_P(AccuracyOutOfReach, IsWrittenWithAWarningUnderBestEffort) {
 INSTANTIATE_TEST_SUITE_P(
     Obstacles, AccuracyOutOfReach,
     testing::Values(
-        OutOfReach{"Half", "", "[lut.morpho]\nformat = \"half\"\n", "0.02",
-                   "5:6 morpho: max_de00 = 0.02 is out of reach; the best is 0.069, with 512 x 1 half: half costs 0.069: "
-                   "use float"},
-        OutOfReach{"Size", "[accuracy]\nsize = 64\n", "", "0.5",
-                   "3:11 morpho: max_de00 = 0.5 is out of reach; the best is 1.7, with 64 x 1 half: interpolation between "
-                   "64 x 1 texels costs 1.7: leave size out, or give a larger one"},
-        OutOfReach{"Wavelengths", "[accuracy]\nwavelengths = 48\n", "", "0.5",
-                   "3:11 morpho: max_de00 = 0.5 is out of reach; the best is 1.3, with 128 x 1 half: 48 wavelengths cost "
-                   "1.4: leave wavelengths out"},
-        OutOfReach{"Everything", "", "", "1e-04",
-                   "1:11 morpho: max_de00 = 1e-04 is out of reach; the best is 0.00041, with 4096 x 1 float: "
-                   "interpolation between 4096 x 1 texels costs 0.00041, and 4096 texels are the most there are: give a "
-                   "larger bound"}),
+        OutOfReach{
+            "Half", "", "[lut.morpho]\nformat = \"half\"\n", "0.02",
+            "5:6 morpho: max_de00 = 0.02 is out of reach; the best is 0.069, with 512 x 1 half: half costs 0.069: "
+            "use float"},
+        OutOfReach{
+            "Size", "[accuracy]\nsize = 64\n", "", "0.5",
+            "3:11 morpho: max_de00 = 0.5 is out of reach; the best is 1.7, with 64 x 1 half: interpolation between "
+            "64 x 1 texels costs 1.7: leave size out, or give a larger one"},
+        OutOfReach{
+            "Wavelengths", "[accuracy]\nwavelengths = 48\n", "", "0.5",
+            "3:11 morpho: max_de00 = 0.5 is out of reach; the best is 1.3, with 128 x 1 half: 48 wavelengths cost "
+            "1.4: leave wavelengths out"},
+        OutOfReach{
+            "Everything", "", "", "1e-04",
+            "1:11 morpho: max_de00 = 1e-04 is out of reach; the best is 0.00041, with 4096 x 1 float: "
+            "interpolation between 4096 x 1 texels costs 0.00041, and 4096 texels are the most there are: give a "
+            "larger bound"}),
     [](const auto& parameters) { return std::string(parameters.param.name); });
 
 TEST(Accuracy, OneLutOutOfReachLeavesAllUnwritten) {
@@ -157,7 +163,8 @@ TEST(Verify, ReportsTheErrorOfWhatAShaderFetchesAndNoticesAFalsePromise) {
 
 TEST(Plan, IsATableOfWhatWillBeBakedAndWritesNothing) {
     const TemporaryFolder folder;
-    folder.file("s.toml", std::string(morpho) + "[lut.one]\n[lut.two]\ny = { parameter = \"height\", from = 0, to = 1 }\n");
+    folder.file("s.toml",
+                std::string(morpho) + "[lut.one]\n[lut.two]\ny = { parameter = \"height\", from = 0, to = 1 }\n");
     const ProgramResult result = run(folder, {"plan", "s.toml", "--accuracy", "0.5"});
     ASSERT_EQ(result.exit_code, 0) << result.err;
     std::istringstream lines(result.out);
@@ -166,21 +173,23 @@ TEST(Plan, IsATableOfWhatWillBeBakedAndWritesNothing) {
     std::getline(lines, one);
     std::getline(lines, two);
     std::getline(lines, note);
-    for (const char* word : {"LUT", "x", "y", "texels", "format", "integral", "expected dE00", "spectrum", "interpolation",
-                             "storage", "time"}) {
+    for (const char* word : {"LUT", "x", "y", "texels", "format", "integral", "expected dE00", "spectrum",
+                             "interpolation", "storage", "time"}) {
         EXPECT_NE(heading.find(word), std::string::npos) << word;
     }
     EXPECT_EQ(one.find("one  sqrt_cos_theta"), 0U) << one;
     EXPECT_NE(one.find("128 x 1  half    fast        0.40 of 0.5"), std::string::npos) << one;
     EXPECT_NE(two.find("height 0 to 1"), std::string::npos) << two;
-    EXPECT_EQ(note, "morpho: clamped above 85 deg, where its picks lead to a reflectance outside 0 to 1, or a width below 0");
+    EXPECT_EQ(note,
+              "morpho: clamped above 85 deg, where its picks lead to a reflectance outside 0 to 1, or a width below 0");
     EXPECT_EQ(folder.names(), std::vector<std::string>{"s.toml"});
 }
 
 TEST(Plan, JsonSaysTheSameAsTheBakeThatFollows) {
     const TemporaryFolder folder;
     const std::string scene =
-        std::string(morpho) + "[lut.one]\n[lut.two]\nx = \"theta_deg\"\ny = { parameter = \"width_nm\", from = 50, to = 90 }\n";
+        std::string(morpho) +
+        "[lut.one]\n[lut.two]\nx = \"theta_deg\"\ny = { parameter = \"width_nm\", from = 50, to = 90 }\n";
     folder.file("s.toml", scene);
     const ProgramResult planned = run(folder, {"plan", "s.toml", "--json"});
     ASSERT_EQ(planned.exit_code, 0) << planned.err;
@@ -234,7 +243,8 @@ TEST(Cost, SweepsBoundsMethodsAndSizesAsTableCsvAndPicture) {
     const auto de00_of = [&](const std::string& family, const std::string& label, const std::string& axis,
                              const std::string& format) {
         for (const auto& entry : json["cases"]) {
-            if (entry["family"] == family && entry["label"] == label && entry["axis"] == axis && entry["format"] == format)
+            if (entry["family"] == family && entry["label"] == label && entry["axis"] == axis &&
+                entry["format"] == format)
                 return entry["de00"].get<double>();
         }
         ADD_FAILURE() << family << " " << label << " " << axis << " " << format << " is missing";

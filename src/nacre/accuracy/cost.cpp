@@ -28,8 +28,7 @@ void store(Image<Rgb>& image, const Store& stored) {
 // sRGB's curve in 8 bits, as hardware decodes it before it filters (IEC 61966-2-1).
 double in_8_bits(double linear) {
     const double clipped = std::clamp(linear, 0.0, 1.0);
-    const double encoded =
-        clipped <= 0.0031308 ? 12.92 * clipped : 1.055 * std::pow(clipped, 1.0 / 2.4) - 0.055;
+    const double encoded = clipped <= 0.0031308 ? 12.92 * clipped : 1.055 * std::pow(clipped, 1.0 / 2.4) - 0.055;
     const double code = std::round(encoded * 255.0) / 255.0;
     return code <= 0.04045 ? code / 12.92 : std::pow((code + 0.055) / 1.055, 2.4);
 }
@@ -131,8 +130,7 @@ private:
     void add_mistakes() {
         add(CostFamily::mistake, "none of these", sized(mistake_size), PixelFormat::half_float);
         {
-            CostCase& cost =
-                add(CostFamily::mistake, "5 nm sum", sized(mistake_size), PixelFormat::half_float);
+            CostCase& cost = add(CostFamily::mistake, "5 nm sum", sized(mistake_size), PixelFormat::half_float);
             cost.make = [&encoding = encoding_, job = cost.job,
                          rival = std::shared_ptr<const Rival>(make_sum_rival(*lut_.job.light, 5))] {
                 Image<Rgb> image = encoding.to_rgb(bake_with(job, *rival));
@@ -141,7 +139,8 @@ private:
             };
         }
         {
-            CostCase& cost = add(CostFamily::mistake, "8-bit sRGB texture", sized(mistake_size), PixelFormat::half_float);
+            CostCase& cost =
+                add(CostFamily::mistake, "8-bit sRGB texture", sized(mistake_size), PixelFormat::half_float);
             cost.format = "8 bit";
             cost.bytes /= 2;
             cost.make = [&encoding = encoding_, job = cost.job] {
@@ -151,7 +150,8 @@ private:
             };
         }
         {
-            CostCase& cost = add(CostFamily::mistake, "half texel missing", sized(mistake_size), PixelFormat::half_float);
+            CostCase& cost =
+                add(CostFamily::mistake, "half texel missing", sized(mistake_size), PixelFormat::half_float);
             cost.fetch_at = [width = cost.job.width, height = cost.job.height](LutPoint point) {
                 const auto shifted = [](double coordinate, int size) {
                     return size < 2 ? coordinate : std::clamp((coordinate * size - 0.5) / (size - 1), 0.0, 1.0);
@@ -162,7 +162,8 @@ private:
         if (!lut_.job.x.is_angle()) return;
         Job cosine = sized(mistake_size);
         const auto kinds = axis_kinds();
-        cosine.x.kind = &*std::find_if(kinds.begin(), kinds.end(), [](const AxisKind& k) { return k.name == "cos_theta"; });
+        cosine.x.kind =
+            &*std::find_if(kinds.begin(), kinds.end(), [](const AxisKind& k) { return k.name == "cos_theta"; });
         add(CostFamily::mistake, "cosine axis", std::move(cosine), PixelFormat::half_float);
     }
 

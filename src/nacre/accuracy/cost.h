@@ -21,15 +21,15 @@ enum class CostFamily {
 /// One way to make the LUT of a job.
 struct CostCase {
     CostFamily family = CostFamily::choice;
-    std::string label;         ///< "5 nm sum"; for a choice the bound, "0.1"
-    std::string axis;          ///< name of the x axis
-    std::string format;        ///< "half", "float", "8 bit"
-    Job job;                   ///< size and axes; where the error is looked for
-    double bound = 0.0;        ///< of a choice
-    bool is_reached = true;    ///< whether a choice keeps its bound
-    double predicted = 0.0;    ///< error that settle() predicts for a choice; 0: nobody does
-    std::size_t bytes = 0;     ///< of the texels
-    std::function<Image<Rgb>()> make;  ///< makes the LUT, as stored: this is what time is taken of
+    std::string label;                           ///< "5 nm sum"; for a choice the bound, "0.1"
+    std::string axis;                            ///< name of the x axis
+    std::string format;                          ///< "half", "float", "8 bit"
+    Job job;                                     ///< size and axes; where the error is looked for
+    double bound = 0.0;                          ///< of a choice
+    bool is_reached = true;                      ///< whether a choice keeps its bound
+    double predicted = 0.0;                      ///< error that settle() predicts for a choice; 0: nobody does
+    std::size_t bytes = 0;                       ///< of the texels
+    std::function<Image<Rgb>()> make;            ///< makes the LUT, as stored: this is what time is taken of
     std::function<LutPoint(LutPoint)> fetch_at;  ///< where a shader fetches instead; empty: where it should
 };
 

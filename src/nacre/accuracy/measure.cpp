@@ -22,7 +22,8 @@ LutPoint spread_point(int i, bool is_2d) {
 
 }  // namespace
 
-Measured measure(const Job& job, const Image<Rgb>& stored, const Encoding& encoding, std::span<const LutPoint> suspects) {
+Measured measure(const Job& job, const Image<Rgb>& stored, const Encoding& encoding,
+                 std::span<const LutPoint> suspects) {
     const bool is_2d = job.y.has_value();
     std::vector<LutPoint> points(suspects.begin(), suspects.end());
     for (const double x : {0.0, 1.0}) {
@@ -57,9 +58,9 @@ Measured measure(const Job& job, const Image<Rgb>& stored, const Encoding& encod
 Work bake_work(const Job& job, std::size_t suspects) {
     Work work;
     work.texels = static_cast<std::uint64_t>(job.width) * static_cast<std::uint64_t>(job.height);
-    (job.light->settings.wavelengths         ? work.spectra
+    (job.light->settings.wavelengths  ? work.spectra
      : job.integral == Integral::fast ? work.fast_integrals
-                                             : work.exact_integrals) = work.texels;
+                                      : work.exact_integrals) = work.texels;
     const std::size_t corners = job.y ? 4 : 2;
     work.references = suspects + corners + spread_points;
     return work;

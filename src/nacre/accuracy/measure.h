@@ -22,7 +22,8 @@ struct Measured {
 /// @param stored    the components as they are in the file
 /// @param suspects  where the LUT errs most, by settle()
 /// @pre the encoding has a way back to XYZ
-Measured measure(const Job& job, const Image<Rgb>& stored, const Encoding& encoding, std::span<const LutPoint> suspects);
+Measured measure(const Job& job, const Image<Rgb>& stored, const Encoding& encoding,
+                 std::span<const LutPoint> suspects);
 
 inline constexpr int spread_points = 96;
 

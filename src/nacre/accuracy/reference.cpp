@@ -17,9 +17,8 @@ struct QuadratureNode {
     double at;
     double share;
 };
-constexpr std::array<QuadratureNode, 3> quadrature{{{0.5 - 0.387298334620741689, 5.0 / 18.0},
-                                                    {0.5, 8.0 / 18.0},
-                                                    {0.5 + 0.387298334620741689, 5.0 / 18.0}}};
+constexpr std::array<QuadratureNode, 3> quadrature{
+    {{0.5 - 0.387298334620741689, 5.0 / 18.0}, {0.5, 8.0 / 18.0}, {0.5 + 0.387298334620741689, 5.0 / 18.0}}};
 
 // Where a mechanism's reflectance is not smooth in the wavelength, or not there at all.
 struct Support {

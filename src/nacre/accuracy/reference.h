@@ -7,9 +7,9 @@ namespace nacre {
 
 /// What a bake is checked against: the true colour of a job at one point, by a road of its own.
 ///
-/// Reflectance at single wavelengths, integrated by Gauss-Legendre quadrature over every nanometre, against weights made
-/// anew from the CIE's tables and the illuminant. It shares the mechanism's formulas with the bake, but nothing of how
-/// spectra become XYZ: no closed form, no moments, no grid, no SIMD.
+/// Reflectance at single wavelengths, integrated by Gauss-Legendre quadrature over every nanometre, against weights
+/// made anew from the CIE's tables and the illuminant. It shares the mechanism's formulas with the bake, but nothing of
+/// how spectra become XYZ: no closed form, no moments, no grid, no SIMD.
 class Reference {
 public:
     /// @param job  has to outlive the reference

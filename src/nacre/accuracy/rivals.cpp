@@ -47,7 +47,8 @@ public:
             for (double& weight : *weights) weight /= luminance;
             weights->insert(weights->end(), TristimulusWeights::padding, 0.0);
         }
-        adaptation_ = adaptation_matrix(light.settings.adaptation, {white.x / luminance, 1.0, white.z / luminance}, d65);
+        adaptation_ =
+            adaptation_matrix(light.settings.adaptation, {white.x / luminance, 1.0, white.z / luminance}, d65);
     }
 
     Xyz to_xyz(const Lobe& lobe) const override {
@@ -75,14 +76,16 @@ private:
 
 // The wavelength whose colour lies in the same direction from white as a primary's.
 double dominant_wavelength_nm(Chromaticity primary) {
-    const auto direction = [](Chromaticity c) { return std::atan2(c.y - d65_chromaticity.y, c.x - d65_chromaticity.x); };
+    const auto direction = [](Chromaticity c) {
+        return std::atan2(c.y - d65_chromaticity.y, c.x - d65_chromaticity.x);
+    };
     const double wanted = direction(primary);
     double best_nm = 0.0;
     double least = 10.0;
     for (int nm = 420; nm <= 680; ++nm) {
         const auto& bars = colour_matching(Observer::cie1931_2deg, nm);
-        const double off = std::abs(std::remainder(direction(chromaticity_of({bars[0], bars[1], bars[2]})) - wanted,
-                                                   2.0 * std::numbers::pi));
+        const double off = std::abs(
+            std::remainder(direction(chromaticity_of({bars[0], bars[1], bars[2]})) - wanted, 2.0 * std::numbers::pi));
         if (off < least) {
             least = off;
             best_nm = nm;
@@ -101,8 +104,8 @@ public:
     }
 
     Xyz to_xyz(const Lobe& lobe) const override {
-        return adapt(to_xyz_, {lobe_reflectance(lobe, nm_[0]), lobe_reflectance(lobe, nm_[1]),
-                               lobe_reflectance(lobe, nm_[2])});
+        return adapt(to_xyz_,
+                     {lobe_reflectance(lobe, nm_[0]), lobe_reflectance(lobe, nm_[1]), lobe_reflectance(lobe, nm_[2])});
     }
 
 private:
@@ -152,8 +155,7 @@ public:
             add(power_.back(), nm, white);
         }
         for (double& power : power_) power /= white.y;
-        adaptation_ =
-            adaptation_matrix(light.settings.adaptation, {white.x / white.y, 1.0, white.z / white.y}, d65);
+        adaptation_ = adaptation_matrix(light.settings.adaptation, {white.x / white.y, 1.0, white.z / white.y}, d65);
     }
 
     Xyz to_xyz(const Lobe& lobe) const override {

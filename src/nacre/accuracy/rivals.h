@@ -11,8 +11,8 @@ namespace nacre {
 
 /// A way from a band of reflectance to XYZ, one of those that others take: what nacre's integrals are compared with.
 ///
-/// Each is written as well as it can be with its idea: all that does not depend on the band is computed beforehand, only
-/// wavelengths under the band are visited, cosines step by SIMD recurrence, and white comes out white.
+/// Each is written as well as it can be with its idea: all that does not depend on the band is computed beforehand,
+/// only wavelengths under the band are visited, cosines step by SIMD recurrence, and white comes out white.
 class Rival {
 public:
     virtual ~Rival() = default;
@@ -28,8 +28,8 @@ std::unique_ptr<Rival> make_sum_rival(const Light& light, int step_nm);
 /// channels. It knows neither observer nor illuminant.
 std::unique_ptr<Rival> make_three_wavelengths_rival();
 
-/// A sum over every fifth nanometre with the matching functions as shaders have them, by the exponentials of Wyman, Sloan,
-/// Shirley 2013 (JCGT 2(2), 1-11); the illuminant from its table.
+/// A sum over every fifth nanometre with the matching functions as shaders have them, by the exponentials of Wyman,
+/// Sloan, Shirley 2013 (JCGT 2(2), 1-11); the illuminant from its table.
 /// @param single_lobe  the article's simpler fit; the only one that there is of the 10 degree observer
 std::unique_ptr<Rival> make_fit_rival(const Light& light, bool single_lobe);
 

@@ -107,9 +107,8 @@ private:
 
     void look_everywhere() {
         const Job& job = trial_.job();
-        const int per_column =
-            is_2d() ? steps_per_cell(job.width, fewest_in_2d, fewest_columns_in_2d)
-                    : steps_per_cell(job.width, fewest_in_1d, fewest_columns_in_1d);
+        const int per_column = is_2d() ? steps_per_cell(job.width, fewest_in_2d, fewest_columns_in_2d)
+                                       : steps_per_cell(job.width, fewest_in_1d, fewest_columns_in_1d);
         const int per_row = is_2d() ? steps_per_cell(job.height, fewest_in_2d, fewest_rows) : 1;
         const int last_line = is_2d() ? rows_ * per_row : 0;
         const int last_step = columns_ * per_column;
@@ -148,7 +147,8 @@ private:
         std::vector<LutPoint> points;
         for (int j = 0; j <= (is_2d() ? steps : 0); ++j) {
             const double y = is_2d() ? (row + static_cast<double>(j) / steps) / rows_ : 0.0;
-            for (int i = 0; i <= steps; ++i) points.push_back({(column + static_cast<double>(i) / steps) / columns_, y});
+            for (int i = 0; i <= steps; ++i)
+                points.push_back({(column + static_cast<double>(i) / steps) / columns_, y});
         }
         return look_at(points);
     }
@@ -173,7 +173,8 @@ std::vector<double> landmarks(const Job& job, double y) {
     };
     std::vector<double> coordinates;
     for (const double angle_deg : std::visit(Angles{}, mechanism))
-        coordinates.push_back(std::clamp(job.x.kind->coordinate(Incidence::from_degrees(angle_deg).cos_theta), 0.0, 1.0));
+        coordinates.push_back(
+            std::clamp(job.x.kind->coordinate(Incidence::from_degrees(angle_deg).cos_theta), 0.0, 1.0));
     return coordinates;
 }
 

@@ -10,10 +10,10 @@ namespace nacre {
 
 /// Where a LUT errs most.
 struct Scan {
-    double largest = 0.0;       ///< CIEDE2000; of the points looked at, if the scan was cut short
-    LutPoint at;                   ///< of the largest
-    std::vector<LutPoint> worst;   ///< the worst point of each of the worst cells, the worst of all first
-    bool is_complete = true;    ///< false: an error above the limit was met, and the rest was not looked at
+    double largest = 0.0;         ///< CIEDE2000; of the points looked at, if the scan was cut short
+    LutPoint at;                  ///< of the largest
+    std::vector<LutPoint> worst;  ///< the worst point of each of the worst cells, the worst of all first
+    bool is_complete = true;      ///< false: an error above the limit was met, and the rest was not looked at
 };
 
 /// The largest error over all coordinates: between the texels too, where the linear filter leaves the curve.
@@ -24,8 +24,8 @@ struct Scan {
 /// @param limit  stop at an error above this
 /// @param first  points to look at before all others: where a smaller LUT erred
 /// @param unrounded  look at the LUT as it was before its numbers were rounded to the format
-Scan scan_errors(Trial& trial, double limit = std::numeric_limits<double>::infinity(), std::span<const LutPoint> first = {},
-                 bool unrounded = false);
+Scan scan_errors(Trial& trial, double limit = std::numeric_limits<double>::infinity(),
+                 std::span<const LutPoint> first = {}, bool unrounded = false);
 
 /// Coordinates on x at which the model turns sharply: picks, and angles at which a clamp begins.
 std::vector<double> landmarks(const Job& job, double y);

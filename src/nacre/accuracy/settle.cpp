@@ -61,7 +61,8 @@ std::string size_text(const Job& job) {
 
 class Settler {
 public:
-    Settler(const PlannedLut& lut, const Encoding& encoding) : encoding_(encoding), wish_(lut.wish) {
+    Settler(const PlannedLut& lut, const Encoding& encoding, const AfterRow& after_step)
+        : encoding_(encoding), after_step_(after_step), wish_(lut.wish) {
         result_.lut = lut;
     }
 
@@ -82,8 +83,9 @@ private:
 
     SettledLut settle_blindly() {
         if (wish_.is_binding) {
-            throw Error("the colour space has no way back to XYZ, so errors in it cannot be known; give [accuracy] size "
-                        "instead of a bound");
+            throw Error(
+                "the colour space has no way back to XYZ, so errors in it cannot be known; give [accuracy] size "
+                "instead of a bound");
         }
         const bool is_2d = job().y.has_value();
         take({wish_.width.value_or(256), is_2d ? wish_.height.value_or(64) : 1,
@@ -128,7 +130,7 @@ private:
         Job sized = at_size;
         sized.width = candidate.width;
         sized.height = candidate.height;
-        return {sized, candidate.format, encoding_, model_integral(), model_samples(), scale};
+        return {sized, candidate.format, encoding_, model_integral(), model_samples(), scale, after_step_};
     }
 
     void take(const Candidate& candidate) {
@@ -156,6 +158,16 @@ private:
         const bool is_2d = job().y.has_value();
         const int narrowest = is_2d && !wish_.width ? smallest_side(true) : 2;
         const int lowest = is_2d && !wish_.height ? smallest_side(false) : 2;
+        std::vector<Candidate> all = candidates_from(narrowest, lowest, 0);
+        // Where not even the least is little enough: one of the largest, whatever its shape, is the best there is.
+        if (all.empty()) all = candidates_from(2, 2, most_settled_texels);
+        return all;
+    }
+
+    // By bytes; of equals the preferred format first.
+    // @param fewest  texels in all
+    std::vector<Candidate> candidates_from(int narrowest, int lowest, std::int64_t fewest) const {
+        const bool is_2d = result_.lut.job.y.has_value();
         const std::vector<int> heights = is_2d ? sizes_from(wish_.height, lowest) : std::vector<int>{1};
         const bool is_given = wish_.width && (wish_.height || !is_2d);
         std::vector<Candidate> all;
@@ -163,11 +175,11 @@ private:
             for (const int width : sizes_from(wish_.width, narrowest)) {
                 for (const PixelFormat format : formats_of(wish_.format)) {
                     const Candidate candidate{width, height, format};
-                    if (is_given || candidate.texels() <= most_settled_texels) all.push_back(candidate);
+                    const bool is_allowed = candidate.texels() >= fewest && candidate.texels() <= most_settled_texels;
+                    if (is_given || is_allowed) all.push_back(candidate);
                 }
             }
         }
-        // By bytes; the formats are in the order of preference already.
         std::stable_sort(all.begin(), all.end(),
                          [](const Candidate& a, const Candidate& b) { return a.bytes() < b.bytes(); });
         return all;
@@ -223,7 +235,8 @@ private:
         for (auto candidate = candidates_.rbegin(); candidate != candidates_.rend(); ++candidate) {
             Trial trial = trial_of(job(), *candidate);
             const double enough = least ? 1.05 * *least : std::numeric_limits<double>::infinity();
-            Scan scan = scan_errors(trial, enough, least ? std::span<const LutPoint>(seeds_) : std::span<const LutPoint>{});
+            Scan scan =
+                scan_errors(trial, enough, least ? std::span<const LutPoint>(seeds_) : std::span<const LutPoint>{});
             result_.work += trial.work();
             if (!scan.is_complete) {
                 remember(scan.at);
@@ -266,6 +279,7 @@ private:
     }
 
     const Encoding& encoding_;
+    const AfterRow& after_step_;
     const AccuracyWish wish_;
     SettledLut result_;
     double scale_ = 1.0;
@@ -276,8 +290,8 @@ private:
 
 }  // namespace
 
-SettledLut settle(const PlannedLut& lut, const Encoding& encoding) {
-    return Settler(lut, encoding).settle();
+SettledLut settle(const PlannedLut& lut, const Encoding& encoding, const AfterRow& after_step) {
+    return Settler(lut, encoding, after_step).settle();
 }
 
 }  // namespace nacre

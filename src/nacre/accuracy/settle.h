@@ -5,6 +5,7 @@
 
 #include "nacre/accuracy/encoding.h"
 #include "nacre/accuracy/fetch.h"
+#include "nacre/bake/bake.h"
 #include "nacre/bake/plan.h"
 #include "nacre/bake/work.h"
 
@@ -20,12 +21,12 @@ struct ErrorSplit {
 
 /// A LUT with nothing left open.
 struct SettledLut {
-    PlannedLut lut;             ///< size, format and integral decided
-    ErrorSplit predicted;       ///< by the bake's own code, looked for at all coordinates
-    std::vector<LutPoint> worst;   ///< where it errs most, the worst first: measure() goes there
-    bool is_reached = true;     ///< whether the wish is met
-    std::string obstacle;       ///< if not, what stands in the way and what would help: "half costs 0.07: use float"
-    Work work;                  ///< what deciding took
+    PlannedLut lut;               ///< size, format and integral decided
+    ErrorSplit predicted;         ///< by the bake's own code, looked for at all coordinates
+    std::vector<LutPoint> worst;  ///< where it errs most, the worst first: measure() goes there
+    bool is_reached = true;       ///< whether the wish is met
+    std::string obstacle;         ///< if not, what stands in the way and what would help: "half costs 0.07: use float"
+    Work work;                    ///< what deciding took
 };
 
 /// Picks the cheapest LUT that errs by no more than the wish allows: the fewest bytes; of equals the one in half, which
@@ -36,7 +37,8 @@ struct SettledLut {
 ///
 /// Of the integrals `fast` is taken if it costs less than a tenth of the bound.
 /// @throws Error if the encoding has no way back to XYZ and the wish is binding
-SettledLut settle(const PlannedLut& lut, const Encoding& encoding);
+/// @param after_step  called every few hundred points; what it throws ends the search
+SettledLut settle(const PlannedLut& lut, const Encoding& encoding, const AfterRow& after_step = {});
 
 inline constexpr int most_settled_texels = 1 << 20;
 

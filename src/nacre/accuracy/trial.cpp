@@ -58,13 +58,14 @@ double difference_at(Xyz one, Xyz other, double scale) {
 }
 
 Trial::Trial(const Job& job, PixelFormat format, const Encoding& encoding, Integral model_integral, bool sampled_model,
-             double scale)
+             double scale, AfterRow after_step)
     : job_(job),
       model_job_(with_model(job, model_integral, sampled_model)),
       encoding_(encoding),
+      after_step_(std::move(after_step)),
       scale_(scale),
       model_(model_job_) {
-    const Image<Xyz> texels = bake(job_, {}, &work_);
+    const Image<Xyz> texels = bake(job_, after_step_, &work_);
     exact_ = encoding.to_rgb(texels);
     if (scale_ == 0.0) scale_ = display_scale(encoding.keeps_colours ? texels : encoding.to_xyz(exact_));
     stored_ = rounded(exact_, format, encoding);
@@ -82,16 +83,19 @@ Trial::Trial(const Job& job, Image<Rgb> stored, const Encoding& encoding, std::f
 
 Image<Xyz> Trial::model_at(std::span<const LutPoint> points) {
     Image<Xyz> model(static_cast<int>(points.size()), 1);
-    std::transform(points.begin(), points.end(), model.begin(), [&](LutPoint point) { return model_.at(point.x, point.y); });
+    std::transform(points.begin(), points.end(), model.begin(),
+                   [&](LutPoint point) { return model_.at(point.x, point.y); });
     return encoding_.keeps_colours ? model : encoding_.to_xyz(encoding_.to_rgb(model));
 }
 
 std::vector<double> Trial::errors(const Image<Rgb>& lut, std::span<const LutPoint> points, double floor) {
     Image<Rgb> fetched(static_cast<int>(points.size()), 1);
-    std::transform(points.begin(), points.end(), fetched.begin(), [&](LutPoint point) { return fetch(lut, fetch_at_ ? fetch_at_(point) : point); });
+    std::transform(points.begin(), points.end(), fetched.begin(),
+                   [&](LutPoint point) { return fetch(lut, fetch_at_ ? fetch_at_(point) : point); });
     const Image<Xyz> seen = encoding_.to_xyz(fetched);
     const Image<Xyz> model = model_at(points);
     work_.probes += points.size();
+    if (after_step_) after_step_();
     std::vector<double> result;
     result.reserve(points.size());
     for (std::size_t i = 0; i < points.size(); ++i)

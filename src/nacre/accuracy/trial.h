@@ -26,8 +26,9 @@ public:
     /// @param model_integral  how the model is computed at points between the texels
     /// @param sampled_model   whether the model samples spectra where the light says so; else it is the true integral
     /// @param scale           display_scale(); 0: the LUT's own
+    /// @param after_step      called after every row and every batch of points; what it throws ends the trial
     Trial(const Job& job, PixelFormat format, const Encoding& encoding, Integral model_integral, bool sampled_model,
-          double scale = 0.0);
+          double scale = 0.0, AfterRow after_step = {});
 
     /// A LUT that came about in some other way.
     /// @param stored  job.width x job.height, as stored
@@ -54,6 +55,7 @@ private:
     Job job_;
     Job model_job_;
     const Encoding& encoding_;
+    AfterRow after_step_;
     Image<Rgb> exact_;   // components before they are rounded
     Image<Rgb> stored_;  // and after
     std::function<LutPoint(LutPoint)> fetch_at_;

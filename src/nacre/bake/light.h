@@ -29,7 +29,7 @@ struct LightSettings {
 struct Light {
     LightSettings settings;
     TristimulusWeights weights;
-    LobeMoments moments;  ///< of the weights
+    LobeMoments moments;       ///< of the weights
     WavelengthGrid grid;       ///< only used if settings.wavelengths is set
     GridWeights grid_weights;  ///< likewise
     glm::dmat3 adaptation{1.0};

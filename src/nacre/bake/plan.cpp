@@ -17,8 +17,8 @@ public:
     Plan plan() {
         scene_.integer_or("nacre", allowed_version, 1);
         accuracy_ = read_accuracy(scene_.table("accuracy"));
-        plan_.light =
-            std::make_shared<const Light>(make_light(read_light(scene_.table("light"), accuracy_.wavelengths, read_curve_)));
+        plan_.light = std::make_shared<const Light>(
+            make_light(read_light(scene_.table("light"), accuracy_.wavelengths, read_curve_)));
         check_white();
         read_colour();
         read_materials();

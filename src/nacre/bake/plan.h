@@ -19,8 +19,8 @@ struct Job {
     Axis x = default_axis();
     std::optional<Axis> y;
     int width = 256;
-    int height = 1;          ///< 1 without y
-    double angle_deg = 0.0;  ///< where neither axis is the angle
+    int height = 1;                       ///< 1 without y
+    double angle_deg = 0.0;               ///< where neither axis is the angle
     Integral integral = Integral::exact;  ///< unless the light samples spectra
 };
 

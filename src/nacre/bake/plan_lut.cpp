@@ -49,7 +49,8 @@ void read_wish(const Table& table, const AccuracySettings& accuracy, PlannedLut&
     if (own.width) settings.size = {own.width, own.height ? own.height : own.width};
     lut.wish = default_wish(settings, has_y);
     if (const Value* format = table.find("format"))
-        lut.wish.format = meaning_of(format_words, "format", table.checked_text("format", *format), table, format->where);
+        lut.wish.format =
+            meaning_of(format_words, "format", table.checked_text("format", *format), table, format->where);
 }
 
 void read_outputs(const Table& table, PlannedLut& lut) {
@@ -114,8 +115,8 @@ AccuracySettings read_accuracy(const Table* table) {
     if (const Value* nodes = table->find("wavelengths"))
         accuracy.wavelengths = table->checked_integer("wavelengths", *nodes, allowed_wavelengths);
     if (const Value* integral = table->find("integral")) {
-        accuracy.integral = meaning_of(integral_words, "integral", table->checked_text("integral", *integral), *table,
-                                       integral->where);
+        accuracy.integral =
+            meaning_of(integral_words, "integral", table->checked_text("integral", *integral), *table, integral->where);
         if (accuracy.wavelengths) {
             table->fail(integral->where,
                         "integral says how to do without wavelengths, and wavelengths is given; leave one of them out");

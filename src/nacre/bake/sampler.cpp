@@ -40,7 +40,7 @@ void Sampler::set_parameters(double x, double y) {
     const bool x_moves = is_parameter(job_.x) && last_x_ != x;
     const bool y_moves = job_.y && is_parameter(*job_.y) && last_y_ != y;
     if (!x_moves && !y_moves) return;
-    if (x_moves) job_.x.parameter.set(mechanism_, job_.x.parameter_value(x));  // planning sees to it that the
+    if (x_moves) job_.x.parameter.set(mechanism_, job_.x.parameter_value(x));    // planning sees to it that the
     if (y_moves) job_.y->parameter.set(mechanism_, job_.y->parameter_value(y));  // axes set different numbers
     last_x_ = x;
     last_y_ = y;

@@ -10,9 +10,8 @@ std::string scene_toml(const PlannedLut& lut, const ColourSettings& colour) {
             "\ngamut = " + toml_string(name_of(gamut_words, colour.gamut)) + "\n";
     text += "\n[accuracy]\n";
     if (lut.wish.is_binding) text += "max_de00 = " + number_text(lut.wish.max_de00) + "\n";
-    text += job.light->settings.wavelengths
-                ? "wavelengths = " + std::to_string(*job.light->settings.wavelengths) + "\n"
-                : "integral = " + toml_string(name_of(integral_words, job.integral)) + "\n";
+    text += job.light->settings.wavelengths ? "wavelengths = " + std::to_string(*job.light->settings.wavelengths) + "\n"
+                                            : "integral = " + toml_string(name_of(integral_words, job.integral)) + "\n";
     text += "\n[material." + toml_string(job.material.name) + "]\n" + mechanism_toml(job.material.mechanism);
     text += "\n[lut." + toml_string(lut.name) + "]\nmaterial = " + toml_string(job.material.name) +
             "\nx = " + axis_toml(job.x) + "\n";

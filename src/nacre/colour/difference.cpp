@@ -57,8 +57,7 @@ double ciede2000(const Lab& one, const Lab& other) {
     double hue_step_deg = is_grey ? 0.0 : hue2 - hue1;
     if (hue_step_deg > 180.0) hue_step_deg -= 360.0;
     if (hue_step_deg < -180.0) hue_step_deg += 360.0;
-    const double hue_step =
-        2.0 * std::sqrt(chroma1 * chroma2) * std::sin(0.5 * hue_step_deg / degrees_per_radian);
+    const double hue_step = 2.0 * std::sqrt(chroma1 * chroma2) * std::sin(0.5 * hue_step_deg / degrees_per_radian);
 
     const double lightness = 0.5 * (one.l + other.l);
     const double chroma = 0.5 * (chroma1 + chroma2);
@@ -74,8 +73,8 @@ double ciede2000(const Lab& one, const Lab& other) {
     const double s_c = 1.0 + 0.045 * chroma;
     const double s_h = 1.0 + 0.015 * chroma * t;
     const double blue = (hue - 275.0) / 25.0;
-    const double rotation = -2.0 * seventh_power_share(chroma) *
-                            std::sin(2.0 * 30.0 * std::exp(-blue * blue) / degrees_per_radian);
+    const double rotation =
+        -2.0 * seventh_power_share(chroma) * std::sin(2.0 * 30.0 * std::exp(-blue * blue) / degrees_per_radian);
 
     const double l = lightness_step / s_l;
     const double c = chroma_step / s_c;

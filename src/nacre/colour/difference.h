@@ -25,8 +25,8 @@ double ciede2000(const Lab& one, const Lab& other);
 
 /// No two colours differ by more in CIEDE2000 than by so many times their Euclidean distance in L*a*b*.
 ///
-/// S_L, S_C and S_H are 1 or more; a* is stretched by up to 1.5; and the rotation, |R_T| <= sqrt(3), turns c^2 + h^2 into
-/// up to 1 + sqrt(3) / 2 as much: 1.5 * sqrt(1.866) = 2.05.
+/// S_L, S_C and S_H are 1 or more; a* is stretched by up to 1.5; and the rotation, |R_T| <= sqrt(3), turns c^2 + h^2
+/// into up to 1 + sqrt(3) / 2 as much: 1.5 * sqrt(1.866) = 2.05.
 inline constexpr double most_ciede2000_per_lab = 2.1;
 
 }  // namespace nacre

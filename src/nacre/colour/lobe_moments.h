@@ -21,10 +21,10 @@ struct LobeMoments {
 
     int first_nm = 0;
     int last_nm = 0;
-    double centre_nm = 0.0;      ///< t = (nm - centre_nm) / half_range_nm runs from -1 to 1
+    double centre_nm = 0.0;  ///< t = (nm - centre_nm) / half_range_nm runs from -1 to 1
     double half_range_nm = 1.0;
     double per_half_range = 1.0;  ///< 1 / half_range_nm
-    std::vector<Node> nodes;     ///< last_nm - first_nm + 1
+    std::vector<Node> nodes;      ///< last_nm - first_nm + 1
 };
 
 LobeMoments make_lobe_moments(const TristimulusWeights& weights);

@@ -52,10 +52,9 @@ PaletteCurve::PaletteCurve(const Palette& palette) {
 
 // Where only lobes move, as along most axes, angles and steps are known.
 bool PaletteCurve::has_angles_of(const Palette& palette) const {
-    return palette.shape == shape_ && std::equal(palette.picks.begin(), palette.picks.end(), nodes_.begin(), nodes_.end(),
-                                                 [](const Pick& pick, const Node& node) {
-                                                     return pick.angle_deg == node.at.theta_deg;
-                                                 });
+    return palette.shape == shape_ &&
+           std::equal(palette.picks.begin(), palette.picks.end(), nodes_.begin(), nodes_.end(),
+                      [](const Pick& pick, const Node& node) { return pick.angle_deg == node.at.theta_deg; });
 }
 
 void PaletteCurve::reset(const Palette& palette) {
@@ -82,7 +81,8 @@ void PaletteCurve::set_angles(const Palette& palette) {
     for (std::size_t i = 0; i < last; ++i) {
         // By the very formula that differences from the node are taken with, so that a pick is met exactly.
         nodes_[i].step = plain_difference(shape_, nodes_[i + 1].at, nodes_[i].at);
-        if (std::abs(nodes_[i].step) < long_step) nodes_[i].step = shape_difference(shape_, nodes_[i + 1].at, nodes_[i].at);
+        if (std::abs(nodes_[i].step) < long_step)
+            nodes_[i].step = shape_difference(shape_, nodes_[i + 1].at, nodes_[i].at);
     }
 }
 
@@ -159,7 +159,9 @@ namespace {
 template <typename IsBeyond>
 std::optional<double> crossing_deg(const PaletteCurve& curve, double inside_deg, double outside_deg,
                                    IsBeyond is_beyond) {
-    const auto beyond = [&](double angle_deg) { return is_beyond(curve.unclamped(Incidence::from_degrees(angle_deg))); };
+    const auto beyond = [&](double angle_deg) {
+        return is_beyond(curve.unclamped(Incidence::from_degrees(angle_deg)));
+    };
     if (!beyond(outside_deg)) return std::nullopt;
     for (int halving = 0; halving < 60; ++halving) {
         const double middle_deg = 0.5 * (inside_deg + outside_deg);

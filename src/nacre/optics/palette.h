@@ -86,8 +86,8 @@ struct ClampBounds {
 /// Accuracy: 1e-13 degrees (bisection to the last bits).
 ClampBounds palette_clamp_bounds(const Palette& palette);
 
-/// Angles at which a palette's lobe turns sharply, in no order: its picks, and wherever its height reaches 0 or 1 or its
-/// width 0 beyond them. Accuracy of the latter: 1e-13 degrees.
+/// Angles at which a palette's lobe turns sharply, in no order: its picks, and wherever its height reaches 0 or 1 or
+/// its width 0 beyond them. Accuracy of the latter: 1e-13 degrees.
 std::vector<double> palette_bends_deg(const Palette& palette);
 
 }  // namespace nacre

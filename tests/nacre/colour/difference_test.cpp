@@ -38,8 +38,9 @@ TEST(Ciede2000, NeverExceedsItsBoundByTheEuclideanDistance) {
         const double step = std::pow(10.0, within(-6.0, 1.5));
         const Lab other{one.l + step * within(-1.0, 1.0), one.a + step * within(-1.0, 1.0),
                         one.b + step * within(-1.0, 1.0)};
-        const double distance = std::sqrt((one.l - other.l) * (one.l - other.l) + (one.a - other.a) * (one.a - other.a) +
-                                          (one.b - other.b) * (one.b - other.b));
+        const double distance =
+            std::sqrt((one.l - other.l) * (one.l - other.l) + (one.a - other.a) * (one.a - other.a) +
+                      (one.b - other.b) * (one.b - other.b));
         largest = std::max(largest, ciede2000(one, other) / distance);
     }
     EXPECT_LT(largest, most_ciede2000_per_lab);

@@ -37,7 +37,7 @@ std::string swatch_bytes(const PlannedSwatch& swatch, const ColourTransform& tra
 std::string accuracy_text(const PlannedLut& lut, const BakedLut& baked) {
     if (!baked.reached) return "dE00 unknown";
     return "dE00 " + short_number(*baked.reached) +
-           (lut.wish.is_binding ? " of " + number_text(lut.wish.max_de00) : "");
+           (lut.wish.has_bound ? " of " + number_text(lut.wish.max_de00) : "");
 }
 
 std::string lut_line(const BakeTask& task, const BakedLut& baked) {

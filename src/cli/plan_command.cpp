@@ -37,12 +37,12 @@ std::string axis_text(const Axis& axis) {
 }
 
 std::string bound_text(const SettledLut& settled) {
-    if (!settled.lut.wish.is_binding) return short_number(settled.predicted.total);
+    if (!settled.lut.wish.has_bound) return short_number(settled.predicted.total);
     return short_number(settled.predicted.total) + " of " + number_text(settled.lut.wish.max_de00);
 }
 
 const std::vector<std::string> heading{
-    "LUT", "x", "y", "texels", "format", "integral", "expected dE00", "spectrum", "interpolation", "storage", "time"};
+    "LUT", "x", "y", "texels", "format", "integral", "expected dE00", "spectrum", "interpolation", "storage", "bake time"};
 const std::vector<bool> right_aligned{false, false, false, true, false, false, true, true, true, true, true};
 
 std::vector<std::string> table_row(const SettledTask& task, double seconds) {
@@ -87,7 +87,7 @@ nlohmann::ordered_json task_json(const SettledTask& task, double seconds) {
         json["integral"] = name_of(integral_words, job.integral);
     }
     json["max_de00"] = nullptr;
-    if (lut.wish.is_binding) json["max_de00"] = lut.wish.max_de00;
+    if (lut.wish.has_bound) json["max_de00"] = lut.wish.max_de00;
     json["predicted"] = nullptr;
     if (task.scene->transform.has_way_back()) {
         json["predicted"] = {{"de00", settled.predicted.total},
@@ -95,7 +95,7 @@ nlohmann::ordered_json task_json(const SettledTask& task, double seconds) {
                              {"interpolation", settled.predicted.interpolation},
                              {"storage", settled.predicted.storage}};
     }
-    json["reached"] = settled.is_reached || !lut.wish.is_binding;
+    json["reached"] = settled.is_reached || !lut.wish.has_bound;
     if (!settled.obstacle.empty()) json["obstacle"] = settled.obstacle;
     json["seconds"] = {{"deciding", task.seconds}, {"baking", seconds}};
     json["work"] = {{"deciding", work_json(settled.work)}, {"baking", work_json(bake_work(job, settled.worst.size()))}};

@@ -42,9 +42,10 @@ nlohmann::ordered_json work_json(const Work& work) {
 
 std::string out_of_reach(const SettledLut& settled) {
     const PlannedLut& lut = settled.lut;
-    return lut.where.text() + " " + lut.name + ": max_de00 = " + number_text(lut.wish.max_de00) +
-           " is out of reach; the best is " + short_number(settled.predicted.total) + ", with " + size_text(lut.job) +
-           " " + std::string(name_of(format_words, lut.format)) + ": " + settled.obstacle;
+    return lut.where.text() + " " + lut.name + ": " + (lut.wish.is_binding ? "" : "the default ") +
+           "max_de00 = " + number_text(lut.wish.max_de00) + " is out of reach; the best is " +
+           significant_text(settled.predicted.total, 3) + ", with " + size_text(lut.job) + " " +
+           std::string(name_of(format_words, lut.format)) + ": " + settled.obstacle;
 }
 
 }  // namespace nacre

@@ -8,6 +8,7 @@
 #include "cli/report.h"
 #include "cli/stop_signal.h"
 #include "cli/thread_clock.h"
+#include "nacre/bake/text.h"
 #include "nacre/error.h"
 
 namespace nacre {
@@ -17,6 +18,7 @@ void override_accuracy(std::vector<LoadedScene>& scenes, double max_de00) {
         for (PlannedLut& lut : scene.plan.luts) {
             if (max_de00 > 0.0) {
                 lut.wish.max_de00 = max_de00;
+                lut.wish.has_bound = true;
                 lut.wish.is_binding = true;
             }
             if (!lut.wish.is_binding || scene.transform.has_way_back()) continue;
@@ -54,17 +56,34 @@ void settle_all(std::vector<SettledTask>& tasks, int threads, Console& console) 
 std::size_t report_out_of_reach(const std::vector<SettledTask>& tasks, bool best_effort, Console& console) {
     std::size_t count = 0;
     for (const SettledTask& task : tasks) {
-        if (!task.failure.empty() || task.lut.is_reached || !task.lut.lut.wish.is_binding) continue;
-        best_effort ? console.warning(out_of_reach(task.lut)) : console.error(out_of_reach(task.lut));
-        ++count;
+        const AccuracyWish& wish = task.lut.lut.wish;
+        if (!task.failure.empty() || task.lut.is_reached || !wish.has_bound) continue;
+        const bool is_error = wish.is_binding && !best_effort;
+        is_error ? console.error(out_of_reach(task.lut)) : console.warning(out_of_reach(task.lut));
+        count += is_error ? 1 : 0;
     }
     return count;
 }
 
+namespace {
+
+// CLI11's own range lets what is not a number pass.
+const CLI::Validator is_bound(
+    [](std::string& text) -> std::string {
+        double value = 0.0;
+        if (CLI::detail::lexical_cast(text, value) && value >= allowed_max_de00.low && value <= allowed_max_de00.high)
+            return {};
+        return "is out of range; allowed [" + number_text(allowed_max_de00.low) + ", " +
+               number_text(allowed_max_de00.high) + "]";
+    },
+    "", "bound");
+
+}  // namespace
+
 void add_accuracy_option(CLI::App& app, double& value) {
     app.add_option("--accuracy", value, "largest colour error, CIEDE2000; wins over the scene's max_de00 (default 0.1)")
         ->type_name("DE")
-        ->check(CLI::Range(allowed_max_de00.low, allowed_max_de00.high));
+        ->check(is_bound);
 }
 
 }  // namespace nacre

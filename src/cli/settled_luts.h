@@ -29,8 +29,8 @@ void override_accuracy(std::vector<LoadedScene>& scenes, double max_de00);
 /// @param threads  0: one per core
 void settle_all(std::vector<SettledTask>& tasks, int threads, Console& console);
 
-/// Those whose bound is binding and out of reach: an error line each, or a warning each if the user takes the best
-/// there is. Returns how many.
+/// Those whose bound is out of reach: a warning each, or an error where the user gave the bound and does not take the
+/// best there is. Returns the number of errors.
 std::size_t report_out_of_reach(const std::vector<SettledTask>& tasks, bool best_effort, Console& console);
 
 /// Declares --accuracy; `value` stays 0 if it is not given.

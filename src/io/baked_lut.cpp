@@ -83,7 +83,7 @@ LutHeader make_header(const PlannedLut& lut, const ColourSettings& colour, const
     add("adapt", std::string(name_of(adaptation_words, light.adaptation)));
     add("rangeNm", std::to_string(light.first_nm) + " " + std::to_string(light.last_nm));
     add("integration", integration_text(light, job.integral));
-    add("accuracyAsked", lut.wish.is_binding ? number_text(lut.wish.max_de00) : "none");
+    add("accuracyAsked", lut.wish.has_bound ? number_text(lut.wish.max_de00) : "none");
     add("accuracyReached", baked.reached ? number_text(*baked.reached) : "unknown");
     add("colourSpace", transform.target());
     add("colourConfig", source.config);
@@ -189,7 +189,7 @@ std::string manifest_json(const SettledLut& settled, const BakedLut& baked) {
                      {"integration", header.value("integration")}};
     nlohmann::ordered_json& accuracy = json["accuracy"];
     accuracy["max_de00"] = nullptr;
-    if (lut.wish.is_binding) accuracy["max_de00"] = lut.wish.max_de00;
+    if (lut.wish.has_bound) accuracy["max_de00"] = lut.wish.max_de00;
     accuracy["predicted"] = nullptr;
     accuracy["reached"] = nullptr;
     if (baked.reached) {

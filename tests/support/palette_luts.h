@@ -4,7 +4,9 @@
 #include <cmath>
 #include <memory>
 #include <optional>
+#include <ostream>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -13,6 +15,16 @@
 #include "nacre/colour/difference.h"
 #include "nacre/colour/illuminant.h"
 #include "support/test_encoding.h"
+
+namespace nacre {
+
+/// How GoogleTest shows it.
+inline void PrintTo(const Work& work, std::ostream* out) {
+    *out << "{exact " << work.exact_integrals << ", fast " << work.fast_integrals << ", spectra " << work.spectra
+         << ", texels " << work.texels << ", probes " << work.probes << ", references " << work.references << '}';
+}
+
+}  // namespace nacre
 
 /// Materials, lights and LUTs that the tests of accuracy share, and the plain way to find the error of a LUT.
 namespace nacre::test {
@@ -107,8 +119,9 @@ inline double shown_scale(const Job& job) {
 
 /// Error of a LUT at one point.
 inline double plain_error(const Job& job, const Image<Rgb>& stored, LutPoint point, double scale) {
-    Image<Rgb> fetched(1, 1, sampled_as_in_opengl(stored, texcoord_of(point.x, stored.width()),
-                                                  texcoord_of(point.y, stored.height())));
+    Image<Rgb> fetched(
+        1, 1,
+        sampled_as_in_opengl(stored, texcoord_of(point.x, stored.width()), texcoord_of(point.y, stored.height())));
     static const Encoding encoding = rec709_encoding();
     return shown_difference(encoding.to_xyz(fetched).at(0, 0), exact_xyz(job, point.x, point.y), scale);
 }

@@ -38,8 +38,10 @@ struct ColourSettings {
 /// What a scene says of a LUT's accuracy. What it leaves open is decided by settle(), where the colour space is known.
 struct AccuracyWish {
     double max_de00 = default_max_de00;  ///< largest CIEDE2000 error of what a shader fetches
-    /// Whether a LUT that errs by more is refused. Not so where the scene gives `size` or `wavelengths` and no bound.
-    bool is_binding = true;
+    /// Whether there is a bound at all: not so where the scene gives `size` or `wavelengths` and no bound.
+    bool has_bound = true;
+    /// Whether the user gave it: then a LUT that errs by more is refused. The default is a goal; who misses it is warned.
+    bool is_binding = false;
     std::optional<int> width;
     std::optional<int> height;
     std::optional<PixelFormat> format;

@@ -130,7 +130,8 @@ AccuracySettings read_accuracy(const Table* table) {
 AccuracyWish default_wish(const AccuracySettings& accuracy, bool has_y) {
     AccuracyWish wish;
     wish.max_de00 = accuracy.max_de00.value_or(AccuracyWish::default_max_de00);
-    wish.is_binding = accuracy.max_de00 || (!accuracy.wavelengths && !accuracy.size.width);
+    wish.is_binding = accuracy.max_de00.has_value();
+    wish.has_bound = wish.is_binding || (!accuracy.wavelengths && !accuracy.size.width);
     wish.integral = accuracy.integral;
     wish.width = accuracy.size.width;
     if (has_y) wish.height = accuracy.size.height;

@@ -9,7 +9,7 @@ std::string scene_toml(const PlannedLut& lut, const ColourSettings& colour) {
     text += "\n[colour]\nspace = " + toml_string(colour.space) +
             "\ngamut = " + toml_string(name_of(gamut_words, colour.gamut)) + "\n";
     text += "\n[accuracy]\n";
-    if (lut.wish.is_binding) text += "max_de00 = " + number_text(lut.wish.max_de00) + "\n";
+    if (lut.wish.has_bound) text += "max_de00 = " + number_text(lut.wish.max_de00) + "\n";
     text += job.light->settings.wavelengths ? "wavelengths = " + std::to_string(*job.light->settings.wavelengths) + "\n"
                                             : "integral = " + toml_string(name_of(integral_words, job.integral)) + "\n";
     text += "\n[material." + toml_string(job.material.name) + "]\n" + mechanism_toml(job.material.mechanism);

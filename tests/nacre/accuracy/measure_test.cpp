@@ -52,11 +52,14 @@ TEST(Measure, ReachesWhatTheScanFound) {
             const Measured measured = measure(job, lut.stored, encoding, lut.scan.worst);
             // The scan and the reference agree on the model to 1e-9; the scan's worst points are what is measured.
             EXPECT_NEAR(measured.reached, lut.scan.largest, 0.01 * lut.scan.largest) << i;
-            EXPECT_NEAR(measured.reached, test::plain_error([&] {
-                            Job exact = job;  // plain_error() holds against what the light samples
-                            exact.light = test::light_of(job.light->settings.illuminant);
-                            return exact;
-                        }(), lut.stored, measured.at, test::shown_scale(job)),
+            EXPECT_NEAR(measured.reached,
+                        test::plain_error(
+                            [&] {
+                                Job exact = job;  // plain_error() holds against what the light samples
+                                exact.light = test::light_of(job.light->settings.illuminant);
+                                return exact;
+                            }(),
+                            lut.stored, measured.at, test::shown_scale(job)),
                         0.01 * measured.reached)
                 << i;
         }
@@ -90,8 +93,8 @@ TEST(Measure, SeesTheCornersWhateverTheSuspects) {
 TEST(Measure, NoticesATexelThatIsOnePercentOff) {
     MeasuredLut lut(test::job_of(test::morpho, 1024), PixelFormat::single_float);
     const double clean = measure(lut.job, lut.stored, encoding, lut.scan.worst).reached;
-    // Y of the brightest texel is 1: L* = 116 * 1 - 16 changes by 116 / 3 * 0.01 = 0.39, chroma by a third of a percent;
-    // CIEDE2000 divides the first by 1.75 and the second by some 5.
+    // Y of the brightest texel is 1: L* = 116 * 1 - 16 changes by 116 / 3 * 0.01 = 0.39, chroma by a third of a
+    // percent; CIEDE2000 divides the first by 1.75 and the second by some 5.
     const int bright = 1000;
     Rgb& texel = lut.stored.at(bright, 0);
     texel = {1.01 * texel.r, 1.01 * texel.g, 1.01 * texel.b};

@@ -18,7 +18,9 @@ Palette same_at_every_angle(const Lobe& lobe) {
 }
 
 void expect_near(const Xyz& one, const Xyz& other, double tolerance, const Lobe& lobe, const std::string& light) {
-    const auto where = [&] { return light + ", peak " + std::to_string(lobe.peak_nm) + ", width " + std::to_string(lobe.width_nm); };
+    const auto where = [&] {
+        return light + ", peak " + std::to_string(lobe.peak_nm) + ", width " + std::to_string(lobe.width_nm);
+    };
     EXPECT_NEAR(one.x, other.x, tolerance) << where();
     EXPECT_NEAR(one.y, other.y, tolerance) << where();
     EXPECT_NEAR(one.z, other.z, tolerance) << where();
@@ -117,7 +119,8 @@ TEST(Reference, KnowsNoNodes) {
 }
 
 TEST(Reference, OfABandWithoutWidthOrHeightOrLightIsBlack) {
-    for (const Lobe& lobe : {Lobe{500.0, 0.0, 1.0}, Lobe{500.0, 70.0, 0.0}, Lobe{200.0, 300.0, 1.0}, Lobe{900.0, 140.0, 1.0}}) {
+    for (const Lobe& lobe :
+         {Lobe{500.0, 0.0, 1.0}, Lobe{500.0, 70.0, 0.0}, Lobe{200.0, 300.0, 1.0}, Lobe{900.0, 140.0, 1.0}}) {
         const Job job = test::job_of(same_at_every_angle(lobe));
         EXPECT_EQ(Reference(job).at(0.5), Xyz{}) << lobe.peak_nm;
     }

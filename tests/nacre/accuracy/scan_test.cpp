@@ -24,7 +24,8 @@ TEST(Scan, OfAModelThatIsLinearInTheCoordinateFindsNothing) {
         const Job job = test::job_over(test::opal, parameter_axis(test::opal, "height", 0.0, 1.0), 20.0, width);
         Trial trial = trial_of(job, PixelFormat::single_float);
         const Scan scan = scan_errors(trial);
-        // Single precision rounds to 6e-8; CIEDE2000 makes up to 1000 times that of it where it is steepest, near black.
+        // Single precision rounds to 6e-8; CIEDE2000 makes up to 1000 times that of it where it is steepest, near
+        // black.
         EXPECT_LT(scan.largest, 6e-5) << width;
         EXPECT_TRUE(scan.is_complete);
         EXPECT_LT(scan_errors(trial, HUGE_VAL, {}, true).largest, 1e-10) << "before it was rounded";
@@ -62,6 +63,8 @@ std::vector<Judged> along_a_line() {
         {"beetle, clamped from 60 degrees on", test::job_of(test::beetle, 50), single, 1680},
         {"beetle over the angle", on_axis(test::job_of(test::beetle, 37), "theta_deg"), single, 2280},
         {"opal over the cosine", on_axis(test::job_of(test::opal, 100), "cos_theta"), half, 840},
+        // Clamping begins 0.47 of the way through a cell, as far from any sixteenth as can be.
+        {"beetle, large", test::job_of(test::beetle, 334), single, 320},
         {"opal, large", test::job_of(test::opal, 400), single, 320},
         {"a peak that moves through the spectrum",
          test::job_over(test::morpho, parameter_axis(test::morpho, "peak_nm", 380.0, 720.0), 15.0, 90), single, 960},
@@ -77,7 +80,8 @@ std::vector<Judged> over_a_plane() {
         {"shape", test::job_of(test::opal, parameter_axis(test::opal, "shape", 0.0, 1.0), 16, 4), half, 60},
         {"beetle, clamped", test::job_of(test::beetle, parameter_axis(test::beetle, "peak_nm", 420.0, 650.0), 9, 9),
          single, 50},
-        {"clamped on a curve", test::job_of(tall, parameter_axis(tall, "picks[1].height", 0.3, 0.9), 14, 5), single, 60},
+        {"clamped on a curve", test::job_of(tall, parameter_axis(tall, "picks[1].height", 0.3, 0.9), 14, 5), single,
+         60},
     };
 }
 
@@ -116,6 +120,33 @@ TEST(Scan, SaysWhereTheErrorIsTheWorstFirst) {
         for (std::size_t i = 1; i < scan.worst.size(); ++i)
             EXPECT_LE(error(scan.worst[i]), error(scan.worst[i - 1]) + slack) << judged.name << ' ' << i;
         EXPECT_GT(error(scan.worst.back()), 0.5 * scan.largest) << judged.name;
+    }
+}
+
+TEST(Scan, MissesAKinkOnAnAxisOfTheMaterialByASixteenthAtMost) {
+    // A height that is clamped from some value of the axis on: the colour is linear on either side, so all of the error
+    // is a triangle over one cell. No landmark stands there. The nearest of 16 steps is at most half a step away, which
+    // costs a sixteenth of a triangle whose tip is in the middle of the cell.
+    const Palette palette{{{20.0, {460.0, 70.0, 0.6}}, {60.0, {420.0, 60.0, 0.8}}}, 0.3};
+    for (int i = 0; i < 24; ++i) {
+        const Job job =
+            test::job_over(palette, parameter_axis(palette, "picks[1].height", 0.5, 0.9 + 0.004 * i), 90.0, 512);
+        Trial trial = trial_of(job, single);
+        const double found = scan_errors(trial).largest;
+        const auto is_clamped = [&](double x) {
+            const Palette there = std::get<Palette>(mechanism_at(job, x, 0.0));
+            return palette_lobe_unclamped(there, Incidence::from_degrees(90.0)).height > 1.0;
+        };
+        double kink = 1.0;
+        double before = 0.0;
+        for (int halving = 0; halving < 60; ++halving) {
+            const double middle = 0.5 * (before + kink);
+            (is_clamped(middle) ? kink : before) = middle;
+        }
+        const double largest =
+            test::plain_error(job, test::stored_lut(job, single), {kink, 0.0}, test::shown_scale(job));
+        EXPECT_GT(found, largest * (1.0 - 1.0 / 15.0)) << i;
+        EXPECT_LT(found, largest * 1.001) << i;
     }
 }
 
@@ -177,7 +208,8 @@ TEST(Scan, OfAShaderThatFetchesElsewhereSeesWhatItFetches) {
     for (int i = 0; i <= 20000; ++i) {
         const double x = i / 20000.0;
         const Image<Rgb> fetched(1, 1, test::sampled_as_in_opengl(stored, x, 0.5));
-        largest = std::max(largest, test::shown_difference(encoding.to_xyz(fetched).at(0, 0), exact_xyz(job, x), scale));
+        largest =
+            std::max(largest, test::shown_difference(encoding.to_xyz(fetched).at(0, 0), exact_xyz(job, x), scale));
     }
     EXPECT_NEAR(scan_errors(wrong).largest, largest, 0.015 * largest);
 }
@@ -214,7 +246,8 @@ TEST(Landmarks, MoveWithTheSecondAxis) {
 }
 
 TEST(Landmarks, AreNotOnAnAxisOfTheMaterial) {
-    EXPECT_TRUE(landmarks(test::job_over(test::beetle, parameter_axis(test::beetle, "height", 0.0, 1.0), 70.0), 0.0).empty());
+    EXPECT_TRUE(
+        landmarks(test::job_over(test::beetle, parameter_axis(test::beetle, "height", 0.0, 1.0), 70.0), 0.0).empty());
 }
 
 }  // namespace

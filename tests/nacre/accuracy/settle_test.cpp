@@ -1,0 +1,410 @@
+#include "nacre/accuracy/settle.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <cstdio>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "nacre/accuracy/scan.h"
+#include "nacre/error.h"
+#include "support/palette_luts.h"
+
+namespace nacre {
+namespace {
+
+using test::wished_lut;
+
+const Encoding encoding = test::rec709_encoding();
+constexpr PixelFormat half = PixelFormat::half_float;
+constexpr PixelFormat single = PixelFormat::single_float;
+
+std::int64_t bytes_of(int width, int height, PixelFormat format) {
+    return std::int64_t{width} * height * (format == half ? 6 : 12);
+}
+std::int64_t bytes_of(const SettledLut& settled) {
+    return bytes_of(settled.lut.job.width, settled.lut.job.height, settled.lut.format);
+}
+
+/// The largest error of a LUT of that size and format against the exact model; if above `enough`, any error above it.
+double error_of(const PlannedLut& lut, int width, int height, PixelFormat format, double enough = HUGE_VAL) {
+    Job job = lut.job;
+    job.width = width;
+    job.height = height;
+    Trial trial(job, format, encoding, Integral::exact, false);
+    return scan_errors(trial, enough).largest;
+}
+
+struct Choice {
+    int width = 0;
+    int height = 0;
+    PixelFormat format = half;
+    friend bool operator==(const Choice&, const Choice&) = default;
+};
+
+Choice choice_of(const SettledLut& settled) {
+    return {settled.lut.job.width, settled.lut.job.height, settled.lut.format};
+}
+
+/// Every LUT of powers of two that has fewer bytes than a choice, or as many in half where the choice is float.
+std::vector<Choice> cheaper_than(const Choice& choice, bool is_2d, const AccuracyWish& wish) {
+    const std::int64_t bytes = bytes_of(choice.width, choice.height, choice.format);
+    std::vector<Choice> cheaper;
+    for (int width = 2; width <= largest_lut_size; width *= 2) {
+        for (int height = is_2d ? 2 : 1; height <= (is_2d ? largest_lut_size : 1); height *= 2) {
+            for (const PixelFormat format : {half, single}) {
+                if (wish.width && width != *wish.width) continue;
+                if (wish.height && height != *wish.height) continue;
+                if (wish.format && format != *wish.format) continue;
+                const std::int64_t these = bytes_of(width, height, format);
+                const bool is_preferred = these == bytes && format == half && choice.format == single;
+                if (these < bytes || is_preferred) cheaper.push_back({width, height, format});
+            }
+        }
+    }
+    return cheaper;
+}
+
+/// That a settled LUT keeps its bound, and no cheaper one does.
+void expect_the_cheapest(PlannedLut lut, const std::string& name) {
+    const double bound = lut.wish.max_de00;
+    const SettledLut settled = settle(lut, encoding);
+    const Choice choice = choice_of(settled);
+    ASSERT_TRUE(settled.is_reached) << name << ' ' << bound;
+    EXPECT_TRUE(settled.obstacle.empty());
+    lut.job.integral = settled.lut.job.integral;
+    const double reached = error_of(lut, choice.width, choice.height, choice.format);
+    EXPECT_LE(reached, bound) << name;
+    EXPECT_NEAR(settled.predicted.total, reached, 0.1 * bound) << name;
+    // A scan may miss a hundredth, and some of the bound is the integral's own: what lies so near it may be passed
+    // over.
+    const double hair = settled.lut.job.integral == Integral::fast ? 0.87 : 0.975;
+    for (const Choice& other : cheaper_than(choice, lut.job.y.has_value(), lut.wish)) {
+        EXPECT_GT(error_of(lut, other.width, other.height, other.format, hair * bound), hair * bound)
+            << name << ", bound " << bound << ": " << other.width << " x " << other.height << ' '
+            << (other.format == half ? "half" : "float") << " would do instead of " << choice.width << " x "
+            << choice.height << ' ' << (choice.format == half ? "half" : "float");
+    }
+}
+
+Job on_axis(Job job, std::string_view axis) {
+    job.x.kind = &test::axis_kind(axis);
+    return job;
+}
+
+Job width_plane() {
+    return test::job_of(test::morpho, parameter_axis(test::morpho, "width_nm", 60.0, 160.0), 256, 64);
+}
+
+TEST(Settle, TakesTheSmallestPowerOfTwoThatKeepsTheBound) {
+    for (const double bound : {5.0, 1.0, 0.3, 0.1, 0.03, 0.01}) {
+        for (const Integral integral : {Integral::exact, Integral::fast}) {
+            const auto with = [&](Job job) {
+                PlannedLut lut = wished_lut(std::move(job), bound);
+                lut.wish.integral = integral;
+                return lut;
+            };
+            expect_the_cheapest(with(test::job_of(test::morpho)), "morpho");
+            expect_the_cheapest(with(test::job_of(test::beetle)), "beetle");
+            expect_the_cheapest(with(on_axis(test::job_of(test::opal), "cos_theta")), "opal");
+        }
+        expect_the_cheapest(wished_lut(test::job_of(test::opal), bound), "whatever the integral");
+    }
+}
+
+TEST(Settle, OverAPlaneTakesTheFewestBytes) {
+    for (const double bound : {8.0, 3.0, 1.2}) expect_the_cheapest(wished_lut(width_plane(), bound), "width");
+    expect_the_cheapest(
+        wished_lut(test::job_of(test::beetle, parameter_axis(test::beetle, "shape", 0.0, 1.0), 256, 64), 1.0), "shape");
+}
+
+TEST(Settle, NeverTakesMoreBytesForALooserBound) {
+    for (const Palette& palette : {test::morpho, test::beetle, test::opal}) {
+        std::int64_t last = bytes_of(4096, 1, single);
+        for (const double bound : {0.005, 0.007, 0.01, 0.02, 0.03, 0.05, 0.07, 0.1, 0.2, 0.5, 1.0, 3.0, 10.0, 100.0}) {
+            const SettledLut settled = settle(wished_lut(test::job_of(palette), bound), encoding);
+            EXPECT_LE(bytes_of(settled), last) << bound;
+            last = bytes_of(settled);
+        }
+        EXPECT_LE(last, bytes_of(8, 1, half)) << "100 is as far as any two colours, or nearly";
+    }
+}
+
+TEST(Settle, HasNothingLeftOpenAndSaysWhereTheErrorIs) {
+    const SettledLut settled = settle(wished_lut(test::job_of(test::morpho), 0.1), encoding);
+    ASSERT_FALSE(settled.worst.empty());
+    const Image<Rgb> stored = test::stored_lut(settled.lut.job, settled.lut.format);
+    const double scale = test::shown_scale(settled.lut.job);
+    // The fast integral moves a point's error by what it errs itself, less than a tenth of the bound.
+    EXPECT_NEAR(test::plain_error(settled.lut.job, stored, settled.worst.front(), scale), settled.predicted.total,
+                0.01);
+    EXPECT_NEAR(test::plain_largest_error(settled.lut.job, stored, 100), settled.predicted.total, 0.01);
+    EXPECT_EQ(settled.lut.name, "lut");
+    EXPECT_EQ(std::get<Palette>(settled.lut.job.material.mechanism), test::morpho);
+}
+
+TEST(Settle, NamesTheSharesOfItsError) {
+    const SettledLut settled = settle(wished_lut(test::job_of(test::beetle), 0.1), encoding);
+    const Job& job = settled.lut.job;
+    Job exact = job;
+    exact.integral = Integral::exact;
+    const Image<Xyz> texels = bake(exact);
+    const Image<Xyz> stored = encoding.to_xyz(test::stored_lut(exact, settled.lut.format));
+    const double scale = test::shown_scale(job);
+    double storage = 0.0;
+    for (std::size_t i = 0; i < texels.size(); ++i)
+        storage = std::max(storage, test::shown_difference(texels.data()[i], stored.data()[i], scale));
+    // Either may have taken another texel's rounding where the fast integral moved a number across a tie: 1e-3.
+    EXPECT_NEAR(settled.predicted.storage, storage, 2e-3);
+    const Image<Rgb> unrounded = encoding.to_rgb(texels);
+    EXPECT_LE(settled.predicted.interpolation, 1.01 * test::plain_largest_error(job, unrounded, 33) + 1e-3);
+    EXPECT_GT(settled.predicted.interpolation, 0.0);
+    EXPECT_LE(settled.predicted.total,
+              settled.predicted.storage + settled.predicted.interpolation + settled.predicted.spectrum + 0.01);
+    const Image<Xyz> fast = [&] {
+        Job job_in_survey = job;
+        job_in_survey.width = 999;
+        job_in_survey.integral = Integral::fast;
+        return bake(job_in_survey);
+    }();
+    double spectrum = 0.0;
+    for (int i = 0; i < fast.width(); ++i)
+        spectrum = std::max(spectrum, test::shown_difference(fast.at(i, 0), exact_xyz(job, i / 998.0), scale));
+    EXPECT_EQ(job.integral, Integral::fast);
+    EXPECT_NEAR(settled.predicted.spectrum, spectrum, 0.25 * spectrum) << "65 points see most of it";
+}
+
+TEST(Settle, TakesTheFastIntegralOnlyWhereItCostsLessThanATenthOfTheBound) {
+    const SettledLut loose = settle(wished_lut(test::job_of(test::beetle), 0.1), encoding);
+    EXPECT_EQ(loose.lut.job.integral, Integral::fast);
+    EXPECT_LE(loose.predicted.spectrum, 0.01);
+    EXPECT_GT(loose.predicted.spectrum, 0.0);
+    PlannedLut strict = wished_lut(test::job_of(test::beetle), 5.0 * loose.predicted.spectrum);
+    strict.wish.is_binding = false;
+    const SettledLut settled = settle(strict, encoding);
+    EXPECT_EQ(settled.lut.job.integral, Integral::exact);
+    EXPECT_EQ(settled.predicted.spectrum, 0.0);
+    EXPECT_EQ(settled.work.fast_integrals, 65U) << "the survey's, and no more";
+}
+
+TEST(Settle, KeepsToWhatTheSceneInsistsOn) {
+    PlannedLut lut = wished_lut(test::job_of(test::morpho), 0.5);
+    lut.wish.width = 200;
+    EXPECT_EQ(choice_of(settle(lut, encoding)), (Choice{200, 1, half}));
+    EXPECT_TRUE(settle(lut, encoding).is_reached);
+    lut.wish.format = single;
+    EXPECT_EQ(choice_of(settle(lut, encoding)), (Choice{200, 1, single}));
+    lut.wish.integral = Integral::exact;
+    EXPECT_EQ(settle(lut, encoding).lut.job.integral, Integral::exact);
+    lut.wish = {0.5, true, {}, {}, single, {}};
+    const SettledLut in_float = settle(lut, encoding);
+    EXPECT_EQ(in_float.lut.format, single);
+    expect_the_cheapest(lut, "in float");
+
+    PlannedLut plane = wished_lut(width_plane(), 3.0);
+    plane.wish.width = 48;
+    const SettledLut of_width = settle(plane, encoding);
+    EXPECT_EQ(of_width.lut.job.width, 48);
+    plane.wish = {3.0, true, {}, 24, {}, {}};
+    const SettledLut of_height = settle(plane, encoding);
+    EXPECT_EQ(of_height.lut.job.height, 24);
+    EXPECT_TRUE(of_height.is_reached);
+    EXPECT_EQ(of_height.lut.job.width & (of_height.lut.job.width - 1), 0) << "a power of two";
+    plane.wish = {3.0, false, 5, 7, single, {}};
+    EXPECT_EQ(choice_of(settle(plane, encoding)), (Choice{5, 7, single}));
+}
+
+TEST(Settle, OfABoundThatDoesNotBindReportsWithoutComplaint) {
+    PlannedLut lut = wished_lut(test::job_of(test::morpho), 0.1);
+    lut.wish.width = 8;
+    lut.wish.format = half;
+    lut.wish.is_binding = false;
+    const SettledLut settled = settle(lut, encoding);
+    EXPECT_FALSE(settled.is_reached);
+    EXPECT_EQ(choice_of(settled), (Choice{8, 1, half}));
+    EXPECT_GT(settled.predicted.total, 1.0);
+    EXPECT_NEAR(settled.predicted.total, error_of(lut, 8, 1, half), 0.01);
+    EXPECT_FALSE(settled.worst.empty());
+}
+
+/// A number as a message about an error has it: two digits.
+std::string two_digits(double value) {
+    std::array<char, 32> text{};
+    std::snprintf(text.data(), text.size(), "%.2g", value);
+    return text.data();
+}
+
+TEST(Settle, ThatHalfCannotReachSaysWhatHalfCostsAndToUseFloat) {
+    PlannedLut lut = wished_lut(test::job_of(test::beetle), 0.02);
+    lut.wish.format = half;
+    const SettledLut settled = settle(lut, encoding);
+    EXPECT_FALSE(settled.is_reached);
+    EXPECT_EQ(settled.lut.format, half);
+    // What the message says, from texels of the exact model.
+    Job exact = settled.lut.job;
+    exact.integral = Integral::exact;
+    const Image<Xyz> stored = encoding.to_xyz(test::stored_lut(exact, half));
+    const Image<Xyz> meant = bake(exact);
+    double storage = 0.0;
+    for (std::size_t i = 0; i < meant.size(); ++i)
+        storage =
+            std::max(storage, test::shown_difference(stored.data()[i], meant.data()[i], test::shown_scale(exact)));
+    EXPECT_EQ(settled.obstacle, "half costs " + two_digits(storage) + ": use float");
+    lut.wish.format.reset();
+    EXPECT_TRUE(settle(lut, encoding).is_reached);
+    EXPECT_EQ(settle(lut, encoding).lut.format, single);
+}
+
+TEST(Settle, ThatAFixedSizeCannotReachSaysWhatThatSizeCosts) {
+    PlannedLut lut = wished_lut(test::job_of(test::morpho), 0.1);
+    lut.wish.width = 16;
+    const SettledLut settled = settle(lut, encoding);
+    EXPECT_FALSE(settled.is_reached);
+    EXPECT_EQ(settled.lut.job.width, 16);
+    Job job = settled.lut.job;
+    const double interpolation = test::plain_largest_error(job, encoding.to_rgb(bake(job)), 400);
+    EXPECT_EQ(settled.obstacle, "interpolation between 16 x 1 texels costs " + two_digits(interpolation) +
+                                    ": leave size out, or give a larger one");
+
+    PlannedLut plane = wished_lut(width_plane(), 0.5);
+    plane.wish.width = 8;
+    plane.wish.height = 4;
+    const SettledLut of_plane = settle(plane, encoding);
+    EXPECT_FALSE(of_plane.is_reached);
+    EXPECT_EQ(of_plane.obstacle.substr(0, 41), "interpolation between 8 x 4 texels costs ");
+}
+
+TEST(Settle, ThatWavelengthsCannotReachSaysWhatTheyCost) {
+    PlannedLut lut = wished_lut(test::job_of(test::morpho), 0.1);
+    lut.job.light = test::light_of("D65", 20);
+    const SettledLut settled = settle(lut, encoding);
+    EXPECT_FALSE(settled.is_reached);
+    const Job exact = test::job_of(test::morpho);
+    double spectrum = 0.0;
+    for (int i = 0; i < 65; ++i) {  // settle() compares at so many points
+        spectrum = std::max(spectrum, test::shown_difference(exact_xyz(lut.job, i / 64.0), exact_xyz(exact, i / 64.0),
+                                                             test::shown_scale(exact)));
+    }
+    EXPECT_EQ(settled.obstacle, "20 wavelengths cost " + two_digits(spectrum) + ": leave wavelengths out");
+    EXPECT_GT(settled.work.spectra, 0U);
+
+    // A scene that insists on its wavelengths is judged by what the LUT adds to them.
+    lut.wish = {0.5, false, {}, {}, {}, {}};
+    const SettledLut insisted = settle(lut, encoding);
+    EXPECT_TRUE(insisted.is_reached);
+    Job sampled = insisted.lut.job;
+    EXPECT_LE(test::plain_largest_error(sampled, test::stored_lut(sampled, insisted.lut.format), 100), 0.5);
+    EXPECT_EQ(insisted.work.exact_integrals, 65U) << "the survey's truth; the rest samples";
+}
+
+TEST(Settle, ThatTheFastIntegralCannotReachSaysWhatItCosts) {
+    PlannedLut lut = wished_lut(test::job_of(test::beetle), 1e-5);
+    lut.wish.integral = Integral::fast;
+    lut.wish.format = single;
+    lut.wish.width = 4096;
+    const SettledLut settled = settle(lut, encoding);
+    EXPECT_FALSE(settled.is_reached);
+    if (settled.predicted.spectrum > std::max(settled.predicted.interpolation, settled.predicted.storage)) {
+        EXPECT_EQ(settled.obstacle,
+                  "the fast integral costs " + two_digits(settled.predicted.spectrum) + ": use integral = \"exact\"");
+    }
+}
+
+TEST(Settle, ThatNoSizeReachesSaysThatThereIsNone) {
+    const SettledLut settled = settle(wished_lut(on_axis(test::job_of(test::opal), "cos_theta"), 5e-5), encoding);
+    EXPECT_FALSE(settled.is_reached);
+    EXPECT_EQ(settled.lut.job.width, 4096) << "the best there is";
+    EXPECT_EQ(settled.lut.format, single);
+    EXPECT_EQ(settled.obstacle, "interpolation between 4096 x 1 texels costs " +
+                                    two_digits(settled.predicted.interpolation) +
+                                    ", and 4096 texels are the most there are: give a larger bound");
+}
+
+TEST(Settle, WithoutAWayBackToXyzRefusesABoundAndElseTakesDefaults) {
+    Encoding one_way = encoding;
+    one_way.to_xyz = nullptr;
+    PlannedLut lut = wished_lut(test::job_of(test::morpho), 0.1);
+    try {
+        settle(lut, one_way);
+        FAIL() << "a bound that nobody can check";
+    } catch (const Error& error) {
+        EXPECT_STREQ(error.what(),
+                     "the colour space has no way back to XYZ, so errors in it cannot be known; give [accuracy] size "
+                     "instead of a bound");
+    }
+    lut.wish.is_binding = false;
+    const SettledLut blind = settle(lut, one_way);
+    EXPECT_EQ(choice_of(blind), (Choice{256, 1, half}));
+    EXPECT_EQ(blind.lut.job.integral, Integral::exact);
+    EXPECT_FALSE(blind.is_reached);
+    EXPECT_EQ(blind.work, Work{});
+    PlannedLut plane = wished_lut(width_plane(), 0.1);
+    plane.wish.is_binding = false;
+    EXPECT_EQ(choice_of(settle(plane, one_way)), (Choice{256, 64, half}));
+    plane.wish = {0.1, false, 100, {}, single, Integral::fast};
+    EXPECT_EQ(choice_of(settle(plane, one_way)), (Choice{100, 64, single}));
+    EXPECT_EQ(settle(plane, one_way).lut.job.integral, Integral::fast);
+}
+
+TEST(Settle, OfABlackMaterialIsTheSmallestLutAndExact) {
+    Palette black = test::morpho;
+    for (Pick& pick : black.picks) pick.lobe.height = 0.0;
+    const SettledLut line = settle(wished_lut(test::job_of(black), 0.001), encoding);
+    EXPECT_EQ(choice_of(line), (Choice{2, 1, half}));
+    EXPECT_EQ(line.predicted.total, 0.0);
+    EXPECT_TRUE(line.is_reached);
+    const SettledLut plane = settle(
+        wished_lut(test::job_of(black, parameter_axis(black, "width_nm", 10.0, 200.0), 256, 64), 0.001), encoding);
+    EXPECT_EQ(choice_of(plane), (Choice{2, 2, half}));
+    EXPECT_EQ(plane.predicted.total, 0.0);
+}
+
+TEST(Settle, OfNumbersTooLargeForHalfTakesFloat) {
+    // A space whose unit is a millionth of white: half ends at 65504.
+    Encoding large = encoding;
+    const auto times = [](double factor) {
+        return [factor](const Rgb& texel) { return Rgb{factor * texel.r, factor * texel.g, factor * texel.b}; };
+    };
+    large.to_rgb = [=](const Image<Xyz>& image) { return test::converted<Rgb>(encoding.to_rgb(image), times(1e6)); };
+    large.to_xyz = [=](const Image<Rgb>& image) { return encoding.to_xyz(test::converted<Rgb>(image, times(1e-6))); };
+    const SettledLut settled = settle(wished_lut(test::job_of(test::morpho), 0.1), large);
+    EXPECT_EQ(settled.lut.format, single);
+    EXPECT_TRUE(settled.is_reached);
+    const SettledLut usual = settle(wished_lut(test::job_of(test::morpho), 0.1), encoding);
+    EXPECT_EQ(settled.lut.job.width, usual.lut.job.width);
+}
+
+TEST(Settle, OfAColourThatDoesNotChangeNeedsTwoTexels) {
+    const Palette constant{{{30.0, {540.0, 120.0, 0.9}}}};
+    // All that it errs by is how half rounds it, 5e-4 of each component at most.
+    const SettledLut settled = settle(wished_lut(test::job_of(constant), 0.1), encoding);
+    EXPECT_EQ(choice_of(settled), (Choice{2, 1, half}));
+    EXPECT_NEAR(settled.predicted.total - settled.predicted.spectrum, settled.predicted.storage, 1e-9);
+    EXPECT_LT(settled.predicted.interpolation, 1e-9);
+    EXPECT_EQ(choice_of(settle(wished_lut(test::job_of(constant), 0.001), encoding)), (Choice{2, 1, single}));
+}
+
+// The numbers below are no truth: they guard against evaluations that crept in, which nobody would see otherwise. Lower
+// them when settle() learns to do with fewer.
+TEST(Settle, TakesNoMoreEvaluationsThanItDid) {
+    const auto work_of = [](std::uint64_t exact, std::uint64_t fast, std::uint64_t texels, std::uint64_t probes) {
+        Work work;
+        work.exact_integrals = exact;
+        work.fast_integrals = fast;
+        work.texels = texels;
+        work.probes = probes;
+        return work;
+    };
+    EXPECT_EQ(settle(wished_lut(test::job_of(test::morpho), 0.1), encoding).work, work_of(65, 12643, 2174, 10534));
+    EXPECT_EQ(settle(wished_lut(test::job_of(test::beetle), 0.01), encoding).work, work_of(65, 8234, 1406, 6893));
+    EXPECT_EQ(settle(wished_lut(width_plane(), 1.0), encoding).work, work_of(585, 94477, 8108, 86954));
+}
+
+}  // namespace
+}  // namespace nacre

@@ -27,18 +27,18 @@ TEST(PaletteCurve, ThatBecameAnothersPaletteKeepsNothingOfItsOwn) {
     const Palette three{{green, red, blue}, 0.9};
     const std::vector<Palette> palettes{
         two,
-        with_lobe(two, 1, {300.0, 5.0, 0.4}),                     // the same angles: only a lobe moved
-        with_lobe(with_lobe(two, 0, red.lobe), 1, violet.lobe),   // both
-        {two.picks, 0.1},                                         // the same picks along another Y
-        three,                                                    // one more pick, in between
-        with_lobe(three, 1, {500.0, 60.0, 0.9}),                  // its slopes change
-        {{red, blue, violet, green}, 0.9},                        // not by ascending angle
+        with_lobe(two, 1, {300.0, 5.0, 0.4}),                    // the same angles: only a lobe moved
+        with_lobe(with_lobe(two, 0, red.lobe), 1, violet.lobe),  // both
+        {two.picks, 0.1},                                        // the same picks along another Y
+        three,                                                   // one more pick, in between
+        with_lobe(three, 1, {500.0, 60.0, 0.9}),                 // its slopes change
+        {{red, blue, violet, green}, 0.9},                       // not by ascending angle
         with_lobe({{red, blue, violet, green}, 0.9}, 3, violet.lobe),
-        {{green, green, blue}, 0.9},                              // an angle twice
-        two,                                                      // and back
-        {{violet}, 0.9},                                          // the same lobe at every angle
+        {{green, green, blue}, 0.9},  // an angle twice
+        two,                          // and back
+        {{violet}, 0.9},              // the same lobe at every angle
         {{red}, 0.9},
-        {{{20.0, red.lobe}, {20.0 + 1e-6, blue.lobe}}, 0.9},      // so near that cosines cancel
+        {{{20.0, red.lobe}, {20.0 + 1e-6, blue.lobe}}, 0.9},  // so near that cosines cancel
         {{{20.0, blue.lobe}, {20.0 + 1e-6, red.lobe}}, 0.9},
         {{violet, red}, 0.0},
         {{red, violet}, 0.0},

@@ -38,6 +38,7 @@ double median_seconds(Step step) {
     const double begin = now();
     while (static_cast<int>(seconds.size()) < fewest_runs ||
            (static_cast<int>(seconds.size()) < most_runs && now() - begin < seconds_per_case)) {
+        throw_if_stopped();
         const double start = now();
         step();
         seconds.push_back(now() - start);
@@ -60,9 +61,11 @@ const PlannedLut& lut_named(const Plan& plan, const std::string& name) {
 // Deciding on the size, and measuring what came out, of one of nacre's own choices.
 double overhead_seconds(const CostCase& cost, const PlannedLut& lut, const Encoding& encoding) {
     PlannedLut asked = lut;
-    asked.wish = {cost.bound, true, {}, {}, {}, {}};
+    asked.wish = {};
+    asked.wish.max_de00 = cost.bound;
+    asked.job.light = cost.job.light;
     const double start = now();
-    const SettledLut settled = settle(asked, encoding);
+    const SettledLut settled = settle(asked, encoding, throw_if_stopped);
     const double decided = now();
     const Image<Rgb> stored = cost.make();
     const double made = now();
@@ -72,11 +75,11 @@ double overhead_seconds(const CostCase& cost, const PlannedLut& lut, const Encod
 
 std::vector<CostRow> measure_costs(const PlannedLut& lut, const Encoding& encoding, double bound, Console& console) {
     std::vector<CostRow> rows;
-    std::vector<CostCase> cases = cost_cases(lut, encoding, bound);
+    std::vector<CostCase> cases = cost_cases(lut, encoding, bound, throw_if_stopped);
     for (CostCase& cost : cases) {
         throw_if_stopped();
         CostRow row;
-        row.de00 = cost_error(cost, cost.make(), encoding);
+        row.de00 = cost_error(cost, cost.make(), encoding, throw_if_stopped);
         row.seconds = median_seconds(cost.make);
         row.all_seconds = row.seconds;
         if (cost.family == CostFamily::choice) row.all_seconds += overhead_seconds(cost, lut, encoding);

@@ -58,6 +58,7 @@ std::size_t report_out_of_reach(const std::vector<SettledTask>& tasks, bool best
     for (const SettledTask& task : tasks) {
         const AccuracyWish& wish = task.lut.lut.wish;
         if (!task.failure.empty() || task.lut.is_reached || !wish.has_bound) continue;
+        if (!task.scene->transform.has_way_back()) continue;  // nobody knows
         const bool is_error = wish.is_binding && !best_effort;
         is_error ? console.error(out_of_reach(task.lut)) : console.warning(out_of_reach(task.lut));
         count += is_error ? 1 : 0;

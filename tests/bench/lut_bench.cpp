@@ -23,7 +23,7 @@ PlannedLut planned_lut(std::optional<int> wavelengths) {
 
 SettledLut settle_at_256(PlannedLut lut, const ColourTransform& transform) {
     lut.wish.width = 256;
-    lut.wish.is_binding = false;
+    lut.wish.is_binding = lut.wish.has_bound = false;
     return settle(lut, lut_encoding(transform, Gamut::keep));
 }
 

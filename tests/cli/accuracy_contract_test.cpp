@@ -1,6 +1,6 @@
 // The accuracy contract, judged by a second road: what `nacre bake --accuracy DE` writes is fetched as a shader would,
 // between texels too, and compared with tests/reference/dense_model.h, which shares no line with src/.
-// NACRE_ACCURACY_SWEEP=1 takes all random scenes; otherwise the first ones, so that it ends in seconds.
+// NACRE_ACCURACY_SWEEP=0 takes the first of the random scenes only, so that it ends in seconds under sanitizers too.
 #include <OpenImageIO/imageio.h>
 #include <gtest/gtest.h>
 
@@ -52,11 +52,11 @@ constexpr double largest_misprediction = 2.0;
 // look at different points differ by some percent.
 constexpr double beyond_doubt = 0.9;
 // A size that the program passed over may keep the budget by a hair, or seem to where ten points per cell miss a bend.
-constexpr double clearly = 0.97;
+constexpr double clearly = 0.9;
 
 bool is_sweep() {
     const char* value = std::getenv("NACRE_ACCURACY_SWEEP");
-    return value != nullptr && std::string(value) == "1";
+    return value == nullptr || std::string(value) != "0";
 }
 
 // ---- Scenes ----

@@ -36,24 +36,27 @@ double in_8_bits(double linear) {
 // Every texel's lobe through a rival. The mechanism's own part is that of the real bake.
 Image<Xyz> bake_with(const Job& job, const Rival& rival) {
     Image<Xyz> image(job.width, job.height);
+    Sampler sampler(job);
     for (int row = 0; row < job.height; ++row) {
         const double y = coordinate_of_texel(row, job.height);
-        std::optional<PaletteCurve> curve;
-        for (int column = 0; column < job.width; ++column) {
-            const double x = coordinate_of_texel(column, job.width);
-            if (!curve || !job.x.is_angle()) curve.emplace(std::get<Palette>(mechanism_at(job, x, y)));
-            image.at(column, row) = rival.to_xyz(curve->at(incidence_at(job, x, y)));
-        }
+        for (int column = 0; column < job.width; ++column)
+            image.at(column, row) = rival.to_xyz(sampler.lobe_at(coordinate_of_texel(column, job.width), y));
     }
     return image;
 }
 
 class Cases {
 public:
-    Cases(const PlannedLut& lut, const Encoding& encoding, double bound)
-        : lut_(lut), encoding_(encoding), bound_(bound) {
-        lut_.wish = {bound, true, {}, {}, {}, {}};
-        const SettledLut settled = settle(lut_, encoding);
+    Cases(const PlannedLut& lut, const Encoding& encoding, double bound, const AfterRow& after_step)
+        : lut_(lut), encoding_(encoding), bound_(bound), after_step_(after_step) {
+        lut_.wish = {};
+        lut_.wish.max_de00 = bound;
+        if (lut.job.light->settings.wavelengths) {
+            LightSettings settings = lut.job.light->settings;
+            settings.wavelengths.reset();
+            lut_.job.light = std::make_shared<const Light>(make_light(std::move(settings)));
+        }
+        const SettledLut settled = settle(lut_, encoding, after_step);
         height_ = settled.lut.job.height;
     }
 
@@ -173,7 +176,7 @@ private:
         std::sort(all.begin(), all.end(), std::greater<>());
         for (const double bound : all) {
             lut_.wish.max_de00 = bound;
-            const SettledLut settled = settle(lut_, encoding_);
+            const SettledLut settled = settle(lut_, encoding_, after_step_);
             CostCase& cost = add(CostFamily::choice, number_text(bound), settled.lut.job, settled.lut.format);
             cost.bound = bound;
             cost.is_reached = settled.is_reached;
@@ -184,18 +187,21 @@ private:
     PlannedLut lut_;
     const Encoding& encoding_;
     double bound_;
+    const AfterRow& after_step_;
     int height_ = 1;
     std::vector<CostCase> cases_;
 };
 
 }  // namespace
 
-std::vector<CostCase> cost_cases(const PlannedLut& lut, const Encoding& encoding, double bound) {
-    return Cases(lut, encoding, bound).all();
+std::vector<CostCase> cost_cases(const PlannedLut& lut, const Encoding& encoding, double bound,
+                                 const AfterRow& after_step) {
+    return Cases(lut, encoding, bound, after_step).all();
 }
 
-double cost_error(const CostCase& cost, const Image<Rgb>& stored, const Encoding& encoding) {
-    Trial trial(cost.job, stored, encoding, cost.fetch_at);
+double cost_error(const CostCase& cost, const Image<Rgb>& stored, const Encoding& encoding,
+                  const AfterRow& after_step) {
+    Trial trial(cost.job, stored, encoding, cost.fetch_at, after_step);
     return scan_errors(trial).largest;
 }
 

@@ -36,12 +36,15 @@ struct CostCase {
 /// Every case for a LUT: five sums, three wavelengths, fits, and the exact integral; sizes 32 to 1024 under each angle
 /// axis, in half and float; common mistakes; and nacre's own choice for bounds from 5 to 0.002 and `bound`.
 ///
-/// A job over two axes keeps its second one, at the height that settle() gives it.
+/// `wavelengths` of the scene do not count: how spectra become XYZ is what is compared. A job over two axes keeps its second one, at the height that settle() gives it.
 /// @param encoding  has to outlive the cases
 /// @pre the encoding has a way back to XYZ
-std::vector<CostCase> cost_cases(const PlannedLut& lut, const Encoding& encoding, double bound);
+/// @param after_step  called often; what it throws ends the search
+std::vector<CostCase> cost_cases(const PlannedLut& lut, const Encoding& encoding, double bound,
+                                 const AfterRow& after_step = {});
 
 /// CIEDE2000 error of what a shader gets from the case's LUT, the largest at any coordinate.
-double cost_error(const CostCase& cost, const Image<Rgb>& stored, const Encoding& encoding);
+double cost_error(const CostCase& cost, const Image<Rgb>& stored, const Encoding& encoding,
+                  const AfterRow& after_step = {});
 
 }  // namespace nacre

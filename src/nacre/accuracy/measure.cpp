@@ -41,7 +41,7 @@ Measured measure(const Job& job, const Image<Rgb>& stored, const Encoding& encod
     Image<Rgb> fetched(count, 1);
     std::transform(points.begin(), points.end(), fetched.begin(), [&](LutPoint point) { return fetch(stored, point); });
     const Image<Xyz> seen = encoding.to_xyz(fetched);
-    const double scale = display_scale(encoding.to_xyz(stored));
+    const double scale = brightness_scale(encoding.to_xyz(stored), display_scale(truth));
 
     Measured measured;
     measured.work.references = points.size();

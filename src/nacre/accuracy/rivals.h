@@ -11,8 +11,9 @@ namespace nacre {
 
 /// A way from a band of reflectance to XYZ, one of those that others take: what nacre's integrals are compared with.
 ///
-/// Each is written as well as it can be with its idea: all that does not depend on the band is computed beforehand,
-/// only wavelengths under the band are visited, cosines step by SIMD recurrence, and white comes out white.
+/// Each is written as well as it can be with its idea: only wavelengths under the band are visited, and white comes out
+/// white. Sums have their weights computed beforehand and their cosines stepped by SIMD recurrence; fits are evaluated
+/// where they are needed, as in shaders: a table of them might as well be the CIE's.
 class Rival {
 public:
     virtual ~Rival() = default;

@@ -17,10 +17,14 @@ constexpr int fewest_rows = 96;
 constexpr std::size_t batch_size = 512;
 
 // Cells within this factor of the worst are looked at again, so many at most.
-constexpr double worth_refining = 0.7;
-constexpr std::size_t most_refined = 48;
+constexpr double worth_refining = 0.55;
+constexpr std::size_t most_refined = 64;
 constexpr int refined_in_1d = 16;
 constexpr int refined_in_2d = 8;
+
+// After that the worst point of such a cell is closed in on: so often, by so much each time.
+constexpr int zooms = 5;
+constexpr int zoom_steps = 4;
 
 int steps_per_cell(int texels, int fewest, int fewest_overall) {
     const int cells = std::max(texels - 1, 1);
@@ -51,7 +55,12 @@ public:
 
     Scan scan(std::span<const LutPoint> first) {
         look_at(first);
-        if (!is_over()) look_everywhere();
+        if (!is_over()) {
+            // They leave no trace: a LUT is judged alike wherever others failed.
+            result_ = {};
+            std::fill(row_.begin(), row_.end(), Cell{});
+            look_everywhere();
+        }
         if (!is_over()) refine();
         result_.is_complete = !is_over();
         return std::move(result_);
@@ -113,7 +122,8 @@ private:
         const int last_line = is_2d() ? rows_ * per_row : 0;
         const int last_step = columns_ * per_column;
         const double points = (1.0 + last_step) * (1.0 + last_line);
-        const int stride = std::max(1, static_cast<int>(std::ceil(points / most_points)));
+        // Odd, so that lines through texels and lines between them have their turn.
+        const int stride = static_cast<int>(std::ceil(points / most_points)) | 1;
         std::vector<LutPoint> line;
         for (int j = 0; j <= last_line && !is_over(); j += stride) {
             const double y = is_2d() ? static_cast<double>(j) / last_line : 0.0;
@@ -150,7 +160,31 @@ private:
             for (int i = 0; i <= steps; ++i)
                 points.push_back({(column + static_cast<double>(i) / steps) / columns_, y});
         }
-        return look_at(points);
+        Cell worst = look_at(points);
+        const Cell at_start{0.0, inside};
+        if (worst.largest == 0.0) worst = at_start;
+        return zoom_in(worst, column, row);
+    }
+
+    // Closes in on the worst point of a cell: bends need not lie on any grid.
+    Cell zoom_in(Cell worst, int column, int row) {
+        const int steps = is_2d() ? refined_in_2d : refined_in_1d;
+        double reach = 1.0 / steps;  // in cells
+        for (int zoom = 0; zoom < zooms && !is_over(); ++zoom, reach /= zoom_steps) {
+            const auto beside = [&](double coordinate, int cell, int cells, int step) {
+                const double in_cells = coordinate * cells + step * reach / zoom_steps;
+                return std::clamp(in_cells, static_cast<double>(cell), cell + 1.0) / cells;
+            };
+            std::vector<LutPoint> points;
+            for (int j = is_2d() ? -zoom_steps : 0; j <= (is_2d() ? zoom_steps : 0); ++j) {
+                const double y = is_2d() ? beside(worst.at.y, row, rows_, j) : 0.0;
+                for (int i = -zoom_steps; i <= zoom_steps; ++i)
+                    points.push_back({beside(worst.at.x, column, columns_, i), y});
+            }
+            const Cell found = look_at(points);
+            if (is_worse(found, worst)) worst = found;
+        }
+        return worst;
     }
 
     Trial& trial_;
@@ -163,6 +197,28 @@ private:
     Scan result_;
 };
 
+// Where bends lie so near each other that an even grid might step over what is between them and just beyond, that is
+// looked at too: evenly between them, and at growing distances on either side.
+//
+// @param bends  ascending
+std::vector<double> with_steep_stretches(std::vector<double> bends) {
+    constexpr double near = 1.0 / 128.0;
+    constexpr int between = 32;
+    constexpr double growth = 1.25;
+    std::vector<double> all = bends;
+    for (std::size_t i = 1; i < bends.size(); ++i) {
+        const double from = bends[i - 1];
+        const double gap = bends[i] - from;
+        if (gap > near) continue;
+        for (int step = 1; step < between; ++step) all.push_back(from + gap * step / between);
+        for (double distance = gap / between; distance < 1.0; distance *= growth) {
+            if (from - distance >= 0.0) all.push_back(from - distance);
+            if (bends[i] + distance <= 1.0) all.push_back(bends[i] + distance);
+        }
+    }
+    return all;
+}
+
 }  // namespace
 
 std::vector<double> landmarks(const Job& job, double y) {
@@ -171,11 +227,14 @@ std::vector<double> landmarks(const Job& job, double y) {
     struct Angles {
         std::vector<double> operator()(const Palette& palette) const { return palette_bends_deg(palette); }
     };
-    std::vector<double> coordinates;
+    std::vector<double> bends;
     for (const double angle_deg : std::visit(Angles{}, mechanism))
-        coordinates.push_back(
-            std::clamp(job.x.kind->coordinate(Incidence::from_degrees(angle_deg).cos_theta), 0.0, 1.0));
-    return coordinates;
+        bends.push_back(std::clamp(job.x.kind->coordinate(Incidence::from_degrees(angle_deg).cos_theta), 0.0, 1.0));
+    std::sort(bends.begin(), bends.end());
+    // A clamp that begins at a pick is found beside it by the last bits.
+    constexpr double same = 1e-13;
+    bends.erase(std::unique(bends.begin(), bends.end(), [](double a, double b) { return b - a < same; }), bends.end());
+    return with_steep_stretches(std::move(bends));
 }
 
 Scan scan_errors(Trial& trial, double limit, std::span<const LutPoint> first, bool unrounded) {

@@ -18,8 +18,8 @@ namespace {
 // What is left of the bound once a scan's own blur is taken off: see scan_errors().
 constexpr double of_bound_in_1d = 0.995;
 constexpr double of_bound_in_2d = 0.98;
-// What `fast` may use of it.
-constexpr double share_of_fast = 0.1;
+// What `fast` may use of it: so little that it never costs a larger LUT.
+constexpr double share_of_fast = 0.02;
 
 // Points at which integrals are compared, and slices are laid through a 2D LUT.
 constexpr int survey_columns = 65;
@@ -69,7 +69,13 @@ public:
     SettledLut settle() {
         if (!encoding_.to_xyz) return settle_blindly();
         survey();
-        if (!find_smallest()) find_best();
+        bool is_found = find_smallest();
+        if (may_still_be_exact() && !(is_found && fast_error_at(result_.worst) <= fast_share())) {
+            job().integral = Integral::exact;
+            result_.predicted.spectrum = 0.0;
+            is_found = find_smallest();
+        }
+        if (!is_found) find_best();
         name_sources();
         return std::move(result_);
     }
@@ -78,8 +84,11 @@ private:
     Job& job() { return result_.lut.job; }
     bool samples() const { return result_.lut.job.light->settings.wavelengths.has_value(); }
     // A scene that insists on its wavelengths and gives no bound is only judged by what the LUT adds to their error.
-    bool model_samples() const { return samples() && !wish_.is_binding; }
-    Integral model_integral() const { return samples() ? Integral::exact : result_.lut.job.integral; }
+    bool model_samples() const { return samples() && !wish_.has_bound; }
+    double fast_share() const { return share_of_fast * wish_.max_de00; }
+    bool may_still_be_exact() const {
+        return result_.lut.job.integral == Integral::fast && !wish_.integral && !samples();
+    }
 
     SettledLut settle_blindly() {
         if (wish_.is_binding) {
@@ -114,23 +123,34 @@ private:
         double error = 0.0;
         for (std::size_t i = 0; i < truth.size(); ++i)
             error = std::max(error, difference_at(truth.data()[i], approximation.data()[i], scale_));
-        const bool takes_cheap = samples() || wish_.integral || error <= share_of_fast * wish_.max_de00;
+        const bool takes_cheap = samples() || wish_.integral || error <= fast_share();
         job().integral = takes_cheap ? cheap.integral : Integral::exact;
         result_.predicted.spectrum = takes_cheap ? error : 0.0;
     }
 
-    // The error that a scan of a candidate may find.
-    double limit() const {
-        const bool scan_sees_spectrum = samples() && !model_samples();
-        return (result_.lut.job.y ? of_bound_in_2d : of_bound_in_1d) * wish_.max_de00 -
-               (scan_sees_spectrum || model_samples() ? 0.0 : result_.predicted.spectrum);
+    // What the fast integral errs by where the survey did not look.
+    double fast_error_at(const std::vector<LutPoint>& points) {
+        Job exact = job();
+        exact.integral = Integral::exact;
+        Sampler truth(exact);
+        Sampler approximation(job());
+        double error = 0.0;
+        for (const LutPoint& point : points) {
+            error = std::max(error, difference_at(truth.at(point.x, point.y), approximation.at(point.x, point.y), scale_));
+        }
+        result_.work += truth.work();
+        result_.work += approximation.work();
+        return error;
     }
+
+    // The error that a scan of a candidate may find. The model is the true integral, so the spectrum's error is in it.
+    double limit() const { return (result_.lut.job.y ? of_bound_in_2d : of_bound_in_1d) * wish_.max_de00; }
 
     Trial trial_of(const Job& at_size, const Candidate& candidate, double scale = 0.0) const {
         Job sized = at_size;
         sized.width = candidate.width;
         sized.height = candidate.height;
-        return {sized, candidate.format, encoding_, model_integral(), model_samples(), scale, after_step_};
+        return {sized, candidate.format, encoding_, Integral::exact, model_samples(), scale, scale_, after_step_};
     }
 
     void take(const Candidate& candidate) {
@@ -141,9 +161,7 @@ private:
 
     void take(const Candidate& candidate, const Trial& trial, Scan scan) {
         take(candidate);
-        // A fast integral's own error is not in the scan: the model between the texels is as fast.
-        const bool scan_sees_spectrum = samples() && !model_samples();
-        result_.predicted.total = scan.largest + (scan_sees_spectrum ? 0.0 : result_.predicted.spectrum);
+        result_.predicted.total = scan.largest + (model_samples() ? result_.predicted.spectrum : 0.0);
         result_.worst = std::move(scan.worst);
         storage_error_ = trial.storage_error();
     }
@@ -158,10 +176,7 @@ private:
         const bool is_2d = job().y.has_value();
         const int narrowest = is_2d && !wish_.width ? smallest_side(true) : 2;
         const int lowest = is_2d && !wish_.height ? smallest_side(false) : 2;
-        std::vector<Candidate> all = candidates_from(narrowest, lowest, 0);
-        // Where not even the least is little enough: one of the largest, whatever its shape, is the best there is.
-        if (all.empty()) all = candidates_from(2, 2, most_settled_texels);
-        return all;
+        return candidates_from(narrowest, lowest, 0);
     }
 
     // By bytes; of equals the preferred format first.
@@ -213,7 +228,12 @@ private:
 
     bool find_smallest() {
         candidates_ = candidates();
-        const bool judges = wish_.is_binding || candidates_.size() > 1;
+        if (candidates_.empty()) {
+            // Not even the least is little enough: one of the large ones, whatever its shape, is the best there is.
+            candidates_ = candidates_from(2, 2, most_settled_texels / 4);
+            return false;
+        }
+        const bool judges = wish_.has_bound || candidates_.size() > 1;
         for (const Candidate& candidate : candidates_) {
             Trial trial = trial_of(job(), candidate);
             Scan scan = scan_errors(trial, judges ? limit() : std::numeric_limits<double>::infinity(), seeds_);
@@ -228,11 +248,19 @@ private:
         return false;
     }
 
+    // A larger one takes seconds, which is too long for an answer that nobody wanted.
+    static bool is_quickly_judged(const Candidate& candidate) {
+        constexpr std::int64_t most_texels = 1 << 20;
+        return candidate.texels() <= most_texels;
+    }
+
     // The least error there is; of sizes that are equally good to 5 % the smallest.
     void find_best() {
         result_.is_reached = false;
         std::optional<double> least;
+        const bool any_is_small = std::any_of(candidates_.begin(), candidates_.end(), is_quickly_judged);
         for (auto candidate = candidates_.rbegin(); candidate != candidates_.rend(); ++candidate) {
+            if (any_is_small && !is_quickly_judged(*candidate)) continue;
             Trial trial = trial_of(job(), *candidate);
             const double enough = least ? 1.05 * *least : std::numeric_limits<double>::infinity();
             Scan scan =
@@ -258,12 +286,31 @@ private:
         if (!result_.is_reached) result_.obstacle = obstacle();
     }
 
+    // What becomes of colours that the space cannot hold, where no gamut rule takes care of them.
+    double lost_by_space() {
+        if (!encoding_.keeps_colours) return 0.0;
+        Job sample = job();
+        sample.width = survey_columns;
+        sample.height = sample.y ? survey_rows : 1;
+        const Image<Xyz> meant = bake(sample, after_step_, &result_.work);
+        const Image<Xyz> held = encoding_.to_xyz(encoding_.to_rgb(meant));
+        double lost = 0.0;
+        for (std::size_t i = 0; i < meant.size(); ++i)
+            lost = std::max(lost, difference_at(meant.data()[i], held.data()[i], scale_));
+        return lost;
+    }
+
     std::string obstacle() {
         const ErrorSplit& split = result_.predicted;
         if (split.storage > split.interpolation && split.storage > split.spectrum) {
             const bool is_half = result_.lut.format == PixelFormat::half_float;
             return is_half ? "half costs " + error_text(split.storage) + ": use float"
                            : "float costs " + error_text(split.storage) + ": give a larger bound";
+        }
+        const double lost = lost_by_space();
+        if (lost > 0.5 * split.total) {
+            return "colours come back from the colour space off by " + error_text(lost) +
+                   ": use another space, or gamut = \"clip\" or \"compress\"";
         }
         if (samples() && split.spectrum > 0.5 * split.interpolation) {
             return std::to_string(*job().light->settings.wavelengths) + " wavelengths cost " +
@@ -274,7 +321,7 @@ private:
         const bool is_free = !wish_.width && (!job().y || !wish_.height);
         return "interpolation between " + size_text(job()) + " texels costs " + error_text(split.interpolation) +
                (is_free ? ", and " + std::to_string(job().y ? most_settled_texels : largest_lut_size) +
-                              " texels are the most there are: give a larger bound"
+                              " texels are the most that are tried: give a larger bound" + (job().y ? ", or size" : "")
                         : ": leave size out, or give a larger one");
     }
 

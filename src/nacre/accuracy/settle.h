@@ -33,13 +33,14 @@ struct SettledLut {
 /// every engine reads. Sizes are powers of two up to largest_lut_size; in 2D up to `most_settled_texels` in all.
 ///
 /// Every candidate is baked and held against the model between its texels until one fits; those too small fail at once,
-/// because the place where the last one failed is tried first. If none fits, the result is the best there is.
+/// because the place where the last one failed is tried first. If none fits, the result is the best there is (in 2D, of
+/// those up to a million texels).
 ///
-/// Of the integrals `fast` is taken if it costs less than a tenth of the bound.
+/// Of the integrals `fast` is taken if it costs less than a fiftieth of the bound.
 /// @throws Error if the encoding has no way back to XYZ and the wish is binding
 /// @param after_step  called every few hundred points; what it throws ends the search
 SettledLut settle(const PlannedLut& lut, const Encoding& encoding, const AfterRow& after_step = {});
 
-inline constexpr int most_settled_texels = 1 << 20;
+inline constexpr int most_settled_texels = 1 << 22;
 
 }  // namespace nacre

@@ -53,12 +53,17 @@ double display_scale(const Image<Xyz>& texels) {
     return brightest > 0.0 ? 1.0 / brightest : 1.0;
 }
 
+double brightness_scale(const Image<Xyz>& texels, double black_scale) {
+    const bool is_black = std::all_of(texels.begin(), texels.end(), [](const Xyz& texel) { return !(texel.y > 0.0); });
+    return is_black ? black_scale : display_scale(texels);
+}
+
 double difference_at(Xyz one, Xyz other, double scale) {
     return ciede2000(lab_at(one, scale), lab_at(other, scale));
 }
 
 Trial::Trial(const Job& job, PixelFormat format, const Encoding& encoding, Integral model_integral, bool sampled_model,
-             double scale, AfterRow after_step)
+             double scale, double black_scale, AfterRow after_step)
     : job_(job),
       model_job_(with_model(job, model_integral, sampled_model)),
       encoding_(encoding),
@@ -67,18 +72,20 @@ Trial::Trial(const Job& job, PixelFormat format, const Encoding& encoding, Integ
       model_(model_job_) {
     const Image<Xyz> texels = bake(job_, after_step_, &work_);
     exact_ = encoding.to_rgb(texels);
-    if (scale_ == 0.0) scale_ = display_scale(encoding.keeps_colours ? texels : encoding.to_xyz(exact_));
+    if (scale_ == 0.0) scale_ = brightness_scale(encoding.keeps_colours ? texels : encoding.to_xyz(exact_), black_scale);
     stored_ = rounded(exact_, format, encoding);
 }
 
-Trial::Trial(const Job& job, Image<Rgb> stored, const Encoding& encoding, std::function<LutPoint(LutPoint)> fetch_at)
+Trial::Trial(const Job& job, Image<Rgb> stored, const Encoding& encoding, std::function<LutPoint(LutPoint)> fetch_at, AfterRow after_step)
     : job_(job),
       model_job_(with_model(job, Integral::exact, false)),
       encoding_(encoding),
+      after_step_(std::move(after_step)),
       exact_(stored),
       stored_(std::move(stored)),
       fetch_at_(std::move(fetch_at)),
-      scale_(display_scale(bake(model_job_))),
+      scale_(display_scale(encoding.keeps_colours ? bake(model_job_)
+                                                  : encoding.to_xyz(encoding.to_rgb(bake(model_job_))))),
       model_(model_job_) {}
 
 Image<Xyz> Trial::model_at(std::span<const LutPoint> points) {

@@ -16,6 +16,9 @@ namespace nacre {
 /// 1 for a LUT that is black all over.
 double display_scale(const Image<Xyz>& texels);
 
+/// The same, but what is given for a LUT that is black all over.
+double brightness_scale(const Image<Xyz>& texels, double black_scale);
+
 /// CIEDE2000 of two XYZ under D65, both shown `scale` times brighter.
 double difference_at(Xyz one, Xyz other, double scale);
 
@@ -26,14 +29,16 @@ public:
     /// @param model_integral  how the model is computed at points between the texels
     /// @param sampled_model   whether the model samples spectra where the light says so; else it is the true integral
     /// @param scale           display_scale(); 0: the LUT's own
+    /// @param black_scale     the scale of a LUT that is black all over, though its model may not be
     /// @param after_step      called after every row and every batch of points; what it throws ends the trial
     Trial(const Job& job, PixelFormat format, const Encoding& encoding, Integral model_integral, bool sampled_model,
-          double scale = 0.0, AfterRow after_step = {});
+          double scale = 0.0, double black_scale = 1.0, AfterRow after_step = {});
 
     /// A LUT that came about in some other way.
     /// @param stored  job.width x job.height, as stored
     /// @param fetch_at  where a shader that means a point really fetches; empty: there
-    Trial(const Job& job, Image<Rgb> stored, const Encoding& encoding, std::function<LutPoint(LutPoint)> fetch_at);
+    Trial(const Job& job, Image<Rgb> stored, const Encoding& encoding, std::function<LutPoint(LutPoint)> fetch_at,
+          AfterRow after_step = {});
 
     /// Error of what a shader fetches from the stored numbers, per point; those that cannot exceed `floor` may come out
     /// as `floor`.

@@ -47,9 +47,8 @@ void Sampler::set_parameters(double x, double y) {
     std::visit(PrepareAgain{curve_}, mechanism_);
 }
 
-Xyz Sampler::colour_at(const Incidence& incidence) {
+Xyz Sampler::colour_of(const Lobe& lobe) {
     const Light& light = *job_.light;
-    const Lobe lobe = curve_.at(incidence);
     if (light.settings.wavelengths) {
         ++work_.spectra;
         Xyz sum;
@@ -71,9 +70,13 @@ Xyz Sampler::colour_at(const Incidence& incidence) {
     return lobe_to_xyz(light.weights, lobe.peak_nm, lobe.width_nm, lobe.height);
 }
 
-Xyz Sampler::at(double x, double y) {
+Lobe Sampler::lobe_at(double x, double y) {
     set_parameters(x, y);
-    return adapt(job_.light->adaptation, colour_at(incidence_at(job_, x, y)));
+    return curve_.at(incidence_at(job_, x, y));
+}
+
+Xyz Sampler::at(double x, double y) {
+    return adapt(job_.light->adaptation, colour_of(lobe_at(x, y)));
 }
 
 }  // namespace nacre

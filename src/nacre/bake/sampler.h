@@ -20,12 +20,15 @@ public:
     /// @param x,y  coordinates on the job's axes, in [0, 1]; y is ignored without an axis y
     Xyz at(double x, double y = 0.0);
 
+    /// The band of reflectance behind that colour.
+    Lobe lobe_at(double x, double y = 0.0);
+
     /// Of everything asked so far.
     const Work& work() const { return work_; }
 
 private:
     void set_parameters(double x, double y);
-    Xyz colour_at(const Incidence& incidence);
+    Xyz colour_of(const Lobe& lobe);
 
     const Job& job_;
     Mechanism mechanism_;

@@ -34,8 +34,9 @@ LobeMoments make_lobe_moments(const TristimulusWeights& weights);
 /// Under the whole cells the cosine is the polynomial of degree 6 that is nearest to it in the mean, so the error is
 /// orthogonal to all smooth weights; the two cut cells have their sine's first two terms. Lobes narrower than
 /// `narrowest_fast_lobe_nm` are handed to lobe_to_xyz().
-/// Accuracy: 4e-7 of X, Y and Z (white is about 1) for the CIE's daylight and A, 4e-6 for lamps with lines; see
-/// tests/nacre/colour/lobe_moments_test.cpp.
+/// Accuracy: 6e-6 of X, Y and Z (white is about 1); 4e-7 up to 150 nm of width under lights without lines. That is
+/// CIEDE2000 0.001 at the lobe's own brightness, but for lobes of which the range or a lamp's line shows a flank only
+/// (0.003); see tests/nacre/colour/lobe_moments_test.cpp.
 /// @param weights,moments  the second made of the first
 Xyz lobe_to_xyz_fast(const TristimulusWeights& weights, const LobeMoments& moments, double peak_nm, double width_nm,
                      double height);

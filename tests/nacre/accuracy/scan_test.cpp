@@ -217,6 +217,9 @@ TEST(Scan, OfAShaderThatFetchesElsewhereSeesWhatItFetches) {
 void expect_coordinates(std::vector<double> found, std::vector<double> expected) {
     std::sort(found.begin(), found.end());
     std::sort(expected.begin(), expected.end());
+    // What lies at one place is one landmark.
+    const auto is_same = [](double a, double b) { return b - a < 1e-12; };
+    expected.erase(std::unique(expected.begin(), expected.end(), is_same), expected.end());
     ASSERT_EQ(found.size(), expected.size());
     for (std::size_t i = 0; i < found.size(); ++i) EXPECT_NEAR(found[i], expected[i], 1e-12);
 }

@@ -36,8 +36,7 @@ std::string swatch_bytes(const PlannedSwatch& swatch, const ColourTransform& tra
 // "dE00 0.021 of 0.1".
 std::string accuracy_text(const PlannedLut& lut, const BakedLut& baked) {
     if (!baked.reached) return "dE00 unknown";
-    return "dE00 " + short_number(*baked.reached) +
-           (lut.wish.has_bound ? " of " + number_text(lut.wish.max_de00) : "");
+    return "dE00 " + short_number(*baked.reached) + (lut.wish.has_bound ? " of " + number_text(lut.wish.max_de00) : "");
 }
 
 std::string lut_line(const BakeTask& task, const BakedLut& baked) {

@@ -42,7 +42,8 @@ std::string bound_text(const SettledLut& settled) {
 }
 
 const std::vector<std::string> heading{
-    "LUT", "x", "y", "texels", "format", "integral", "expected dE00", "spectrum", "interpolation", "storage", "bake time"};
+    "LUT",           "x",       "y",        "texels", "format", "integral", "expected dE00", "spectrum",
+    "interpolation", "storage", "bake time"};
 const std::vector<bool> right_aligned{false, false, false, true, false, false, true, true, true, true, true};
 
 std::vector<std::string> table_row(const SettledTask& task, double seconds) {

@@ -31,7 +31,7 @@ set bmargin 4
 set xlabel 'largest colour error of what a shader fetches (CIEDE2000; 1 can just be seen)' textcolor rgb ink
 set ylabel 'time to compute the texels, one thread (µs)' textcolor rgb ink offset 0.5, 0
 set label 1 'What accuracy costs: the LUT ' . title at graph 0, 1.13 font heading textcolor rgb ink noenhanced
-set label 2 'down is faster, left is more exact; deciding and measuring come on top' at graph 0, 1.075 font note textcolor rgb faint
+set label 2 'down is faster, left is more exact' at graph 0, 1.075 font note textcolor rgb faint
 set label 4 "nacre's own choice, and beside it the bound that was asked for" at graph 1, 1.135 right font note textcolor rgb morpho
 set label 5 'sizes fixed by hand, 32 to 1024 texels: half stops where its rounding rules, float goes on' at graph 1, 1.085 right font note textcolor rgb fixed
 set label 6 "1024 texels by sums over every 1 to 20 nm, shaders' fits, three wavelengths" at graph 1, 1.035 right font note textcolor rgb accent

@@ -36,7 +36,8 @@ struct CostCase {
 /// Every case for a LUT: five sums, three wavelengths, fits, and the exact integral; sizes 32 to 1024 under each angle
 /// axis, in half and float; common mistakes; and nacre's own choice for bounds from 5 to 0.002 and `bound`.
 ///
-/// `wavelengths` of the scene do not count: how spectra become XYZ is what is compared. A job over two axes keeps its second one, at the height that settle() gives it.
+/// `wavelengths` of the scene do not count: how spectra become XYZ is what is compared. A job over two axes keeps its
+/// second one, at the height that settle() gives it.
 /// @param encoding  has to outlive the cases
 /// @pre the encoding has a way back to XYZ
 /// @param after_step  called often; what it throws ends the search

@@ -136,7 +136,8 @@ private:
         Sampler approximation(job());
         double error = 0.0;
         for (const LutPoint& point : points) {
-            error = std::max(error, difference_at(truth.at(point.x, point.y), approximation.at(point.x, point.y), scale_));
+            error =
+                std::max(error, difference_at(truth.at(point.x, point.y), approximation.at(point.x, point.y), scale_));
         }
         result_.work += truth.work();
         result_.work += approximation.work();
@@ -279,11 +280,27 @@ private:
         ErrorSplit& split = result_.predicted;
         split.storage = storage_error_;
         Trial trial = trial_of(job(), {job().width, job().height, result_.lut.format});
-        std::vector<LutPoint> worst = result_.worst;
-        const std::vector<double> errors = trial.unrounded_errors_at(worst);
-        for (const double error : errors) split.interpolation = std::max(split.interpolation, error);
+        std::vector<LutPoint> points = cell_middles();
+        points.insert(points.end(), result_.worst.begin(), result_.worst.end());
+        for (const double error : trial.unrounded_errors_at(points))
+            split.interpolation = std::max(split.interpolation, error);
         result_.work += trial.work();
         if (!result_.is_reached) result_.obstacle = obstacle();
+    }
+
+    // Where a linear filter errs most if the curve is smooth; of large LUTs every n-th.
+    std::vector<LutPoint> cell_middles() {
+        constexpr int most_per_side = 64;
+        const int columns = job().width - 1;
+        const int rows = std::max(job().height - 1, 1);
+        const int column_step = job().y ? (columns + most_per_side - 1) / most_per_side : 1;
+        const int row_step = (rows + most_per_side - 1) / most_per_side;
+        std::vector<LutPoint> points;
+        for (int row = 0; row < rows; row += row_step) {
+            for (int column = 0; column < columns; column += column_step)
+                points.push_back({(column + 0.5) / columns, job().y ? (row + 0.5) / rows : 0.0});
+        }
+        return points;
     }
 
     // What becomes of colours that the space cannot hold, where no gamut rule takes care of them.

@@ -72,11 +72,13 @@ Trial::Trial(const Job& job, PixelFormat format, const Encoding& encoding, Integ
       model_(model_job_) {
     const Image<Xyz> texels = bake(job_, after_step_, &work_);
     exact_ = encoding.to_rgb(texels);
-    if (scale_ == 0.0) scale_ = brightness_scale(encoding.keeps_colours ? texels : encoding.to_xyz(exact_), black_scale);
+    if (scale_ == 0.0)
+        scale_ = brightness_scale(encoding.keeps_colours ? texels : encoding.to_xyz(exact_), black_scale);
     stored_ = rounded(exact_, format, encoding);
 }
 
-Trial::Trial(const Job& job, Image<Rgb> stored, const Encoding& encoding, std::function<LutPoint(LutPoint)> fetch_at, AfterRow after_step)
+Trial::Trial(const Job& job, Image<Rgb> stored, const Encoding& encoding, std::function<LutPoint(LutPoint)> fetch_at,
+             AfterRow after_step)
     : job_(job),
       model_job_(with_model(job, Integral::exact, false)),
       encoding_(encoding),

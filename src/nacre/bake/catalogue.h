@@ -18,8 +18,8 @@ namespace nacre {
 /// The number that a texel's components are stored as.
 enum class PixelFormat { half_float, single_float };
 
-/// How a band of reflectance becomes XYZ: in closed form, or by running moments, which err by CIEDE2000 0.001 or less but
-/// for rare flanks (see lobe_to_xyz_fast()).
+/// How a band of reflectance becomes XYZ: in closed form, or by running moments, which err by CIEDE2000 0.001 or less
+/// but for rare flanks (see lobe_to_xyz_fast()).
 enum class Integral { exact, fast };
 
 /// What is written for a LUT.

@@ -40,7 +40,8 @@ struct AccuracyWish {
     double max_de00 = default_max_de00;  ///< largest CIEDE2000 error of what a shader fetches
     /// Whether there is a bound at all: not so where the scene gives `size` or `wavelengths` and no bound.
     bool has_bound = true;
-    /// Whether the user gave it: then a LUT that errs by more is refused. The default is a goal; who misses it is warned.
+    /// Whether the user gave it: then a LUT that errs by more is refused. The default is a goal; who misses it is
+    /// warned.
     bool is_binding = false;
     std::optional<int> width;
     std::optional<int> height;

@@ -70,9 +70,18 @@ Xyz Sampler::colour_of(const Lobe& lobe) {
     return lobe_to_xyz(light.weights, lobe.peak_nm, lobe.width_nm, lobe.height);
 }
 
+const Incidence& Sampler::incidence(double x, double y) {
+    const double coordinate = job_.x.is_angle() ? x : job_.y && job_.y->is_angle() ? y : 0.0;
+    if (last_angle_ != coordinate) {
+        incidence_ = incidence_at(job_, x, y);
+        last_angle_ = coordinate;
+    }
+    return incidence_;
+}
+
 Lobe Sampler::lobe_at(double x, double y) {
     set_parameters(x, y);
-    return curve_.at(incidence_at(job_, x, y));
+    return curve_.at(incidence(x, y));
 }
 
 Xyz Sampler::at(double x, double y) {

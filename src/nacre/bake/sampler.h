@@ -28,6 +28,7 @@ public:
 
 private:
     void set_parameters(double x, double y);
+    const Incidence& incidence(double x, double y);
     Xyz colour_of(const Lobe& lobe);
 
     const Job& job_;
@@ -35,6 +36,8 @@ private:
     PaletteCurve curve_;
     std::optional<double> last_x_;  // of parameters, where they are axes
     std::optional<double> last_y_;
+    std::optional<double> last_angle_;  // coordinate on the axis that is the angle
+    Incidence incidence_;               // there
     Work work_;
 };
 

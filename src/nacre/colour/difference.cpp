@@ -79,8 +79,8 @@ double ciede2000(const Lab& one, const Lab& other) {
     const double l = lightness_step / s_l;
     const double c = chroma_step / s_c;
     const double h = hue_step / s_h;
-    // The form is positive definite (|rotation| < 2), but rounding may leave a trifle below 0. What is not a number stays
-    // so: fmax() would hide it.
+    // The form is positive definite (|rotation| < 2), but rounding may leave a trifle below 0. What is not a number
+    // stays so: fmax() would hide it.
     const double square = l * l + c * c + h * h + rotation * c * h;
     return std::sqrt(square < 0.0 ? 0.0 : square);
 }

@@ -89,7 +89,7 @@ private:
                 lut.name = material.name;
                 lut.job.material = material;
                 lut.job.light = plan_.light;
-                lut.wish = default_wish(accuracy_, false);
+                take_wish(default_wish(accuracy_, false), lut);
                 lut.where = material.where;
                 plan_.luts.push_back(std::move(lut));
             }

@@ -47,10 +47,10 @@ void read_wish(const Table& table, const AccuracySettings& accuracy, PlannedLut&
     if (own.height && !has_y) table.fail_at("size", "size has two numbers, but there is no y axis; give one");
     AccuracySettings settings = accuracy;
     if (own.width) settings.size = {own.width, own.height ? own.height : own.width};
-    lut.wish = default_wish(settings, has_y);
+    AccuracyWish wish = default_wish(settings, has_y);
     if (const Value* format = table.find("format"))
-        lut.wish.format =
-            meaning_of(format_words, "format", table.checked_text("format", *format), table, format->where);
+        wish.format = meaning_of(format_words, "format", table.checked_text("format", *format), table, format->where);
+    take_wish(wish, lut);
 }
 
 void read_outputs(const Table& table, PlannedLut& lut) {
@@ -125,6 +125,15 @@ AccuracySettings read_accuracy(const Table* table) {
     accuracy.size = read_lut_size(*table);
     table->expect_all_read();
     return accuracy;
+}
+
+void take_wish(const AccuracyWish& wish, PlannedLut& lut) {
+    constexpr int placeholder_height = 64;
+    lut.wish = wish;
+    lut.job.width = wish.width.value_or(lut.job.width);
+    if (lut.job.y) lut.job.height = wish.height.value_or(placeholder_height);
+    lut.job.integral = wish.integral.value_or(lut.job.integral);
+    lut.format = wish.format.value_or(lut.format);
 }
 
 AccuracyWish default_wish(const AccuracySettings& accuracy, bool has_y) {

@@ -35,6 +35,9 @@ AccuracySettings read_accuracy(const Table* table);
 /// The wish of a LUT that says nothing itself.
 AccuracyWish default_wish(const AccuracySettings& accuracy, bool has_y);
 
+/// Gives a LUT its wish, and what the wish insists on.
+void take_wish(const AccuracyWish& wish, PlannedLut& lut);
+
 /// The material that the key `material` names, or the only one that there is.
 const Material& material_of(const Table& table, const std::vector<Material>& materials);
 

@@ -190,7 +190,7 @@ Command add_plan_command(CLI::App& app) {
         "the\n"
         "LUT) and what spectrum, interpolation and storage have in it; the time that one thread of this machine "
         "needs.\n"
-        "Writes nothing. Exit code 4 if a bound is out of reach.\n\nExample:\n"
+        "Writes nothing. Exit code 4 if a bound that you gave is out of reach.\n\nExample:\n"
         "  nacre plan configs/scenes/morpho.toml --accuracy 0.5\n");
     return [options](Console& console) { return run_plan(*options, console); };
 }

@@ -109,7 +109,7 @@ TEST(Faults, FullStandardOutputIsAnError) {
 TEST(Faults, TerminationLeavesWholeFilesOnly) {
     const TemporaryFolder folder;
     std::string many;
-    for (int i = 0; i < 4000; ++i) {
+    for (int i = 0; i < 1500; ++i) {
         many += "[material.m" + std::to_string(i) +
                 "]\npicks = [ { angle_deg = 0, peak_nm = 460, width_nm = 70, height = 1.0 }, "
                 "{ angle_deg = 40, peak_nm = 395, width_nm = 60, height = 0.7 } ]\n";
@@ -120,7 +120,7 @@ TEST(Faults, TerminationLeavesWholeFilesOnly) {
         const pid_t program = ::getpid();
         if (::fork() == 0) {
             const auto out = folder.path() / "out";
-            for (int i = 0; i < 2000 && (!std::filesystem::exists(out) || std::filesystem::is_empty(out)); ++i)
+            for (int i = 0; i < 12000 && (!std::filesystem::exists(out) || std::filesystem::is_empty(out)); ++i)
                 ::usleep(5000);
             ::kill(program, SIGTERM);
             ::_exit(0);

@@ -209,7 +209,8 @@ Command add_bake_command(CLI::App& app) {
     app.add_option("--shard", options->shard, "only every N-th LUT and swatch, from the I-th on; for farms")
         ->type_name("I/N");
     app.footer(
-        "\nExit code 4 if a bound that you gave is out of reach; then nothing is written. The default, 0.1, is a goal.\n\nExample:\n"
+        "\nExit code 4 if a bound that you gave is out of reach; then nothing is written. The default, 0.1, is a "
+        "goal.\n\nExample:\n"
         "  nacre bake configs/scenes/morpho.toml configs/scenes/beetle.toml -o out --accuracy 0.5\n");
     return [options](Console& console) { return run_bake(*options, true, console); };
 }

@@ -22,10 +22,6 @@ std::string short_number(double value) {
     return text.data();
 }
 
-std::string size_text(const Job& job) {
-    return std::to_string(job.width) + " x " + std::to_string(job.height);
-}
-
 std::string duration_text(double seconds) {
     if (seconds < 1e-3) return short_number(seconds * 1e6) + " us";
     return seconds < 1.0 ? short_number(seconds * 1e3) + " ms" : short_number(seconds) + " s";

@@ -11,9 +11,6 @@ namespace nacre {
 /// Two significant digits, no exponent where it can be helped: "0.021", "1.4", "130".
 std::string short_number(double value);
 
-/// "256 x 1".
-std::string size_text(const Job& job);
-
 /// "0.083 ms", "1.2 s".
 std::string duration_text(double seconds);
 

@@ -51,11 +51,7 @@ public:
         : lut_(lut), encoding_(encoding), bound_(bound), after_step_(after_step) {
         lut_.wish = {};
         lut_.wish.max_de00 = bound;
-        if (lut.job.light->settings.wavelengths) {
-            LightSettings settings = lut.job.light->settings;
-            settings.wavelengths.reset();
-            lut_.job.light = std::make_shared<const Light>(make_light(std::move(settings)));
-        }
+        lut_.job.light = without_wavelengths(lut.job.light);
         const SettledLut settled = settle(lut_, encoding, after_step);
         height_ = settled.lut.job.height;
     }

@@ -5,9 +5,11 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <utility>
 
+#include "nacre/accuracy/candidates.h"
 #include "nacre/accuracy/scan.h"
 #include "nacre/bake/text.h"
 #include "nacre/error.h"
@@ -28,35 +30,8 @@ constexpr std::array slices{0.0, 0.25, 0.5, 0.75, 1.0};
 
 constexpr std::size_t most_seeds = 96;
 
-struct Candidate {
-    int width;
-    int height;
-    PixelFormat format;
-
-    std::int64_t texels() const { return std::int64_t{width} * height; }
-    std::int64_t bytes() const { return texels() * (format == PixelFormat::half_float ? 6 : 12); }
-};
-
-std::vector<int> sizes_from(const std::optional<int>& wish, int smallest) {
-    if (wish) return {*wish};
-    std::vector<int> sizes;
-    for (int size = 2; size <= largest_lut_size; size *= 2) {
-        if (size >= smallest) sizes.push_back(size);
-    }
-    return sizes;
-}
-
-std::vector<PixelFormat> formats_of(const std::optional<PixelFormat>& wish) {
-    if (wish) return {*wish};
-    return {PixelFormat::half_float, PixelFormat::single_float};
-}
-
 std::string error_text(double error) {
     return significant_text(error, 2);
-}
-
-std::string size_text(const Job& job) {
-    return std::to_string(job.width) + " x " + std::to_string(job.height);
 }
 
 class Settler {
@@ -69,10 +44,12 @@ public:
     SettledLut settle() {
         if (!encoding_.to_xyz) return settle_blindly();
         survey();
+        list_candidates();
         bool is_found = find_smallest();
         if (may_still_be_exact() && !(is_found && fast_error_at(result_.worst) <= fast_share())) {
             job().integral = Integral::exact;
             result_.predicted.spectrum = 0.0;
+            list_candidates();
             is_found = find_smallest();
         }
         if (!is_found) find_best();
@@ -108,11 +85,7 @@ private:
     void survey() {
         Job exact = job();
         exact.integral = Integral::exact;
-        if (samples()) {
-            LightSettings settings = exact.light->settings;
-            settings.wavelengths.reset();
-            exact.light = std::make_shared<const Light>(make_light(std::move(settings)));
-        }
+        exact.light = without_wavelengths(exact.light);
         Job cheap = job();
         cheap.integral = wish_.integral.value_or(Integral::fast);
         exact.width = cheap.width = survey_columns;
@@ -151,7 +124,7 @@ private:
         Job sized = at_size;
         sized.width = candidate.width;
         sized.height = candidate.height;
-        return {sized, candidate.format, encoding_, Integral::exact, model_samples(), scale, scale_, after_step_};
+        return {sized, candidate.format, encoding_, model_samples(), scale, scale_, after_step_};
     }
 
     void take(const Candidate& candidate) {
@@ -173,32 +146,16 @@ private:
         if (seeds_.size() > most_seeds) seeds_.pop_back();
     }
 
-    std::vector<Candidate> candidates() {
+    // What is worth trying with the integral as it is.
+    void list_candidates() {
         const bool is_2d = job().y.has_value();
         const int narrowest = is_2d && !wish_.width ? smallest_side(true) : 2;
         const int lowest = is_2d && !wish_.height ? smallest_side(false) : 2;
-        return candidates_from(narrowest, lowest, 0);
-    }
-
-    // By bytes; of equals the preferred format first.
-    // @param fewest  texels in all
-    std::vector<Candidate> candidates_from(int narrowest, int lowest, std::int64_t fewest) const {
-        const bool is_2d = result_.lut.job.y.has_value();
-        const std::vector<int> heights = is_2d ? sizes_from(wish_.height, lowest) : std::vector<int>{1};
-        const bool is_given = wish_.width && (wish_.height || !is_2d);
-        std::vector<Candidate> all;
-        for (const int height : heights) {
-            for (const int width : sizes_from(wish_.width, narrowest)) {
-                for (const PixelFormat format : formats_of(wish_.format)) {
-                    const Candidate candidate{width, height, format};
-                    const bool is_allowed = candidate.texels() >= fewest && candidate.texels() <= most_settled_texels;
-                    if (is_given || is_allowed) all.push_back(candidate);
-                }
-            }
-        }
-        std::stable_sort(all.begin(), all.end(),
-                         [](const Candidate& a, const Candidate& b) { return a.bytes() < b.bytes(); });
-        return all;
+        candidates_ = candidates_from(wish_, is_2d, narrowest, lowest, 0, most_settled_texels);
+        is_hopeless_ = candidates_.empty();
+        if (!is_hopeless_) return;
+        // Not even the least is little enough: one of the large ones, whatever its shape, is the best there is.
+        candidates_ = candidates_from(wish_, is_2d, 2, 2, most_settled_texels / 4, most_settled_texels);
     }
 
     // The least size of one side that fits along slices through a 2D LUT: what the other side cannot help.
@@ -228,12 +185,7 @@ private:
     }
 
     bool find_smallest() {
-        candidates_ = candidates();
-        if (candidates_.empty()) {
-            // Not even the least is little enough: one of the large ones, whatever its shape, is the best there is.
-            candidates_ = candidates_from(2, 2, most_settled_texels / 4);
-            return false;
-        }
+        if (is_hopeless_) return false;
         const bool judges = wish_.has_bound || candidates_.size() > 1;
         for (const Candidate& candidate : candidates_) {
             Trial trial = trial_of(job(), candidate);
@@ -349,6 +301,7 @@ private:
     double scale_ = 1.0;
     double storage_error_ = 0.0;
     std::vector<Candidate> candidates_;
+    bool is_hopeless_ = false;  // no candidate can keep the bound
     std::vector<LutPoint> seeds_;
 };
 

@@ -27,13 +27,10 @@ double difference_above(const Xyz& one, const Xyz& other, double scale, double f
     return bound2 <= floor * floor ? floor : ciede2000(a, b);
 }
 
-Job with_model(Job job, Integral integral, bool sampled) {
-    job.integral = integral;
-    if (!sampled && job.light->settings.wavelengths) {
-        LightSettings settings = job.light->settings;
-        settings.wavelengths.reset();
-        job.light = std::make_shared<const Light>(make_light(std::move(settings)));
-    }
+// What a LUT is held against: the true integral, or the scene's own samples.
+Job model_of(Job job, bool sampled) {
+    job.integral = Integral::exact;
+    if (!sampled) job.light = without_wavelengths(job.light);
     return job;
 }
 
@@ -62,10 +59,10 @@ double difference_at(Xyz one, Xyz other, double scale) {
     return ciede2000(lab_at(one, scale), lab_at(other, scale));
 }
 
-Trial::Trial(const Job& job, PixelFormat format, const Encoding& encoding, Integral model_integral, bool sampled_model,
-             double scale, double black_scale, AfterRow after_step)
+Trial::Trial(const Job& job, PixelFormat format, const Encoding& encoding, bool sampled_model, double scale,
+             double black_scale, AfterRow after_step)
     : job_(job),
-      model_job_(with_model(job, model_integral, sampled_model)),
+      model_job_(model_of(job, sampled_model)),
       encoding_(encoding),
       after_step_(std::move(after_step)),
       scale_(scale),
@@ -80,7 +77,7 @@ Trial::Trial(const Job& job, PixelFormat format, const Encoding& encoding, Integ
 Trial::Trial(const Job& job, Image<Rgb> stored, const Encoding& encoding, std::function<LutPoint(LutPoint)> fetch_at,
              AfterRow after_step)
     : job_(job),
-      model_job_(with_model(job, Integral::exact, false)),
+      model_job_(model_of(job, false)),
       encoding_(encoding),
       after_step_(std::move(after_step)),
       exact_(stored),

@@ -26,13 +26,12 @@ double difference_at(Xyz one, Xyz other, double scale);
 class Trial {
 public:
     /// Bakes it. `job` says the size and how spectra are integrated.
-    /// @param model_integral  how the model is computed at points between the texels
     /// @param sampled_model   whether the model samples spectra where the light says so; else it is the true integral
     /// @param scale           display_scale(); 0: the LUT's own
     /// @param black_scale     the scale of a LUT that is black all over, though its model may not be
     /// @param after_step      called after every row and every batch of points; what it throws ends the trial
-    Trial(const Job& job, PixelFormat format, const Encoding& encoding, Integral model_integral, bool sampled_model,
-          double scale = 0.0, double black_scale = 1.0, AfterRow after_step = {});
+    Trial(const Job& job, PixelFormat format, const Encoding& encoding, bool sampled_model, double scale = 0.0,
+          double black_scale = 1.0, AfterRow after_step = {});
 
     /// A LUT that came about in some other way.
     /// @param stored  job.width x job.height, as stored

@@ -137,6 +137,13 @@ Light make_light(LightSettings settings) {
     return light;
 }
 
+std::shared_ptr<const Light> without_wavelengths(const std::shared_ptr<const Light>& light) {
+    if (!light->settings.wavelengths) return light;
+    LightSettings settings = light->settings;
+    settings.wavelengths.reset();
+    return std::make_shared<const Light>(make_light(std::move(settings)));
+}
+
 LightSettings read_light(const Table* light, std::optional<int> wavelengths, const CurveReader& read_curve) {
     const Table defaults("light", {});
     const Table& table = light == nullptr ? defaults : *light;

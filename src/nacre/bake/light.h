@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 
@@ -40,6 +41,9 @@ struct Light {
 
 /// @pre the settings come from read_light()
 Light make_light(LightSettings settings);
+
+/// The same light with exact integration; itself if it has that already.
+std::shared_ptr<const Light> without_wavelengths(const std::shared_ptr<const Light>& light);
 
 /// How the core asks for a table of spectral power. The front end finds the file beside the scene; a curve that comes
 /// back ascends and is finite. Throws Error or IoError.

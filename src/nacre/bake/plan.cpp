@@ -120,6 +120,10 @@ private:
 
 }  // namespace
 
+std::string size_text(const Job& job) {
+    return std::to_string(job.width) + " x " + std::to_string(job.height);
+}
+
 Plan plan_scene(const Table& scene, const CurveReader& read_curve) {
     return Planner(scene, read_curve).plan();
 }

@@ -35,6 +35,9 @@ struct ColourSettings {
     std::string interchange;
 };
 
+/// "256 x 1".
+std::string size_text(const Job& job);
+
 /// What a scene says of a LUT's accuracy. What it leaves open is decided by settle(), where the colour space is known.
 struct AccuracyWish {
     double max_de00 = default_max_de00;  ///< largest CIEDE2000 error of what a shader fetches

@@ -23,7 +23,7 @@ struct MeasuredLut {
     Scan scan;
 
     MeasuredLut(Job a_job, PixelFormat format) : job(std::move(a_job)), stored(test::stored_lut(job, format)) {
-        Trial trial(job, format, encoding, Integral::exact, false);
+        Trial trial(job, format, encoding, false);
         scan = scan_errors(trial);
     }
 };

@@ -16,7 +16,7 @@ namespace {
 const Encoding encoding = test::rec709_encoding();
 
 Trial trial_of(const Job& job, PixelFormat format) {
-    return {job, format, encoding, Integral::exact, false};
+    return {job, format, encoding, false};
 }
 
 TEST(Scan, OfAModelThatIsLinearInTheCoordinateFindsNothing) {

@@ -37,7 +37,7 @@ double error_of(const PlannedLut& lut, int width, int height, PixelFormat format
     Job job = lut.job;
     job.width = width;
     job.height = height;
-    Trial trial(job, format, encoding, Integral::exact, false);
+    Trial trial(job, format, encoding, false);
     return scan_errors(trial, enough).largest;
 }
 

@@ -35,7 +35,7 @@ ColourTransform target_transform(const ColourConfig& config, const ColourSetting
 }  // namespace
 
 LoadedScene load_scene(const std::string& path, const std::string& ocio, bool want_swatches, Console& console) {
-    Plan plan = plan_scene(read_scene_file(path), curve_reader());
+    Plan plan = plan_scene(read_scene_file(path), scene_files());
     const ColourConfig config = ColourConfig::open(config_choice(plan, path, ocio));
     const std::string where = plan.colour.space_where.line > 0 ? plan.colour.space_where.text() + " [colour]" : path;
     ColourTransform transform = target_transform(config, plan.colour, where);

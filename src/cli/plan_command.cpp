@@ -24,13 +24,6 @@ struct PlanOptions {
     int threads = 0;
 };
 
-// How many wavelengths a spectrum is sampled at; an integral needs none.
-std::string nodes_text(const Job& job) {
-    const auto& wavelengths = job.light->settings.wavelengths;
-    return wavelengths ? std::to_string(*wavelengths) + " wavelengths"
-                       : std::string(name_of(integral_words, job.integral));
-}
-
 std::string axis_text(const Axis& axis) {
     if (axis.is_angle()) return std::string(axis.kind->name);
     return axis.parameter.name + " " + number_text(axis.from) + " to " + number_text(axis.to);
@@ -57,7 +50,7 @@ std::vector<std::string> table_row(const SettledTask& task, double seconds) {
             job.y ? axis_text(*job.y) : "",
             size_text(job),
             std::string(name_of(format_words, settled.lut.format)),
-            nodes_text(job),
+            integration_text(job),
             known(bound_text(settled)),
             known(short_number(error.spectrum)),
             known(short_number(error.interpolation)),
@@ -84,9 +77,12 @@ nlohmann::ordered_json task_json(const SettledTask& task, double seconds) {
     json["wavelengths"] = nullptr;
     if (job.light->settings.wavelengths) {
         json["wavelengths"] = *job.light->settings.wavelengths;
-    } else {
+    } else if (!needs_sampling(job.material.mechanism)) {
         json["integral"] = name_of(integral_words, job.integral);
+    } else {
+        json["nodes"] = job.sampling.node_count();
     }
+    if (job.sampling.realisations > 1) json["realisations"] = job.sampling.realisations;
     json["max_de00"] = nullptr;
     if (lut.wish.has_bound) json["max_de00"] = lut.wish.max_de00;
     json["predicted"] = nullptr;

@@ -31,6 +31,7 @@ nlohmann::ordered_json work_json(const Work& work) {
     return {{"exact_integrals", work.exact_integrals},
             {"fast_integrals", work.fast_integrals},
             {"spectra", work.spectra},
+            {"samples", work.samples},
             {"texels", work.texels},
             {"probes", work.probes},
             {"references", work.references}};

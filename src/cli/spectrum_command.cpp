@@ -80,7 +80,7 @@ private:
 class SpectrumRun {
 public:
     SpectrumRun(const SpectrumOptions& options, Console& console)
-        : options_(options), console_(console), plan_(plan_scene(read_scene_file(options.scene), curve_reader())) {}
+        : options_(options), console_(console), plan_(plan_scene(read_scene_file(options.scene), scene_files())) {}
 
     int run() {
         const std::vector<Point> points = options_.points.empty() ? points_of_options() : points_of_file();
@@ -159,13 +159,16 @@ private:
         const LightSettings& light = plan_.light->settings;
         const WavelengthGrid grid{static_cast<double>(light.first_nm), static_cast<double>(light.last_nm),
                                   light.last_nm - light.first_nm + 1};
+        std::vector<double> wavelengths_nm;
+        for (int node = 0; node < grid.count; ++node) wavelengths_nm.push_back(grid.wavelength_nm(node));
         Report report(console_, {"material", "angle_deg"}, {"wavelength_nm", "R_s", "R_p", "R"});
         for (const Point& point : points) {
-            const Spectrum spectrum =
-                reflectance(point.material->mechanism, Incidence::from_degrees(point.angle_deg), grid);
-            for (int node = 0; node < grid.count; ++node) {
-                const double r = spectrum.value[static_cast<std::size_t>(node)];
-                report.row({point.material->name, point.angle_text}, {grid.wavelength_nm(node), r, r, r});
+            const std::vector<Response> responses =
+                responses_at(point.material->mechanism, Incidence::from_degrees(point.angle_deg), wavelengths_nm);
+            for (std::size_t i = 0; i < responses.size(); ++i) {
+                const Response& r = responses[i];
+                report.row({point.material->name, point.angle_text},
+                           {wavelengths_nm[i], r.reflectance_s, r.reflectance_p, r.reflectance()});
             }
         }
         report.finish();

@@ -30,11 +30,6 @@ std::string angle_text(double angle_deg) {
     return number_text(rounded_angle(angle_deg));
 }
 
-std::string integration_text(const LightSettings& light, Integral integral) {
-    return light.wavelengths ? std::to_string(*light.wavelengths) + " wavelengths"
-                             : std::string(name_of(integral_words, integral));
-}
-
 std::optional<std::array<float, 8>> chromaticities_of(const ColourTransform& transform) {
     auto primaries = primaries_by_interop_id(transform.interop_id());
     if (!primaries && transform.linear_matrix()) primaries = primaries_of(*transform.linear_matrix());
@@ -82,7 +77,7 @@ LutHeader make_header(const PlannedLut& lut, const ColourSettings& colour, const
     add("observer", std::string(name_of(observer_words, light.observer)));
     add("adapt", std::string(name_of(adaptation_words, light.adaptation)));
     add("rangeNm", std::to_string(light.first_nm) + " " + std::to_string(light.last_nm));
-    add("integration", integration_text(light, job.integral));
+    add("integration", integration_text(job));
     add("accuracyAsked", lut.wish.has_bound ? number_text(lut.wish.max_de00) : "none");
     add("accuracyReached", baked.reached ? number_text(*baked.reached) : "unknown");
     add("colourSpace", transform.target());

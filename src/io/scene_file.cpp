@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "io/curve_csv.h"
+#include "io/shipped_materials.h"
 #include "io/text_file.h"
 #include "nacre/bake/names.h"
 #include "nacre/bake/text.h"
@@ -174,8 +175,8 @@ Table parse_scene(const std::string& text, const std::string& name) {
     return parse(text, name);
 }
 
-CurveReader curve_reader() {
-    return [](const std::string& file, const Where& where) {
+SceneFiles scene_files() {
+    const auto read_curve = [](const std::string& file, const Where& where) {
         const auto path = std::filesystem::path(where.file).parent_path() / file;
         try {
             return read_curve_csv(path.string());
@@ -183,6 +184,10 @@ CurveReader curve_reader() {
             throw Error(where.text() + ": " + error.what());
         }
     };
+    const auto find = [](const std::string& name, const Where& where) {
+        return find_material(name, std::filesystem::path(where.file).parent_path().string(), where.text());
+    };
+    return {read_curve, find};
 }
 
 }  // namespace nacre

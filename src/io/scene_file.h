@@ -18,7 +18,7 @@ Table read_scene_file(const std::string& path);
 /// @param name  what messages call it
 Table parse_scene(const std::string& text, const std::string& name);
 
-/// Reads tables of spectral power that a scene names, relative to the scene's folder.
-CurveReader curve_reader();
+/// Reads tables of spectral power and materials that a scene names, relative to the scene's folder.
+SceneFiles scene_files();
 
 }  // namespace nacre

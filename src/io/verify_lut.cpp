@@ -7,6 +7,8 @@
 #include "io/baked_lut.h"
 #include "io/hash.h"
 #include "io/scene_file.h"
+#include "io/shipped_materials.h"
+#include "nacre/bake/names.h"
 #include "nacre/error.h"
 
 namespace nacre {
@@ -37,10 +39,15 @@ Plan plan_of_header(const StoredLut& stored) {
     if (hash_text(scene) != stored.header.value("sceneHash")) {
         throw Error("the scene in the header is not the one that its hash was made of");
     }
-    Plan plan =
-        plan_scene(parse_scene(scene, "header"), [](const std::string& file, const Where& where) -> SampledCurve {
-            throw Error(where.text() + ": names the file " + file);
-        });
+    const auto refuse_file = [](const std::string& file, const Where& where) -> SampledCurve {
+        throw Error(where.text() + ": names the file " + file);
+    };
+    const auto find_shipped = [](const std::string& name, const Where& where) {
+        auto material = shipped_material(name);
+        if (!material) throw Error(where.text() + ": names the material " + in_quotes(name));
+        return material;
+    };
+    Plan plan = plan_scene(parse_scene(scene, "header"), {refuse_file, find_shipped});
     if (plan.luts.size() != 1 || !plan.swatches.empty()) throw Error("the scene in the header holds more than one LUT");
     const PlannedLut& lut = plan.luts.front();
     const int height = lut.job.y ? lut.wish.height.value_or(0) : 1;

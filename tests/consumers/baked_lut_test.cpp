@@ -30,7 +30,7 @@ struct Baked {
 };
 
 Baked bake_and_read(const std::string& scene) {
-    const Plan plan = plan_scene(parse_scene(scene, "test"), curve_reader());
+    const Plan plan = plan_scene(parse_scene(scene, "test"), scene_files());
     const ColourConfig config = ColourConfig::open({"", "", "test"});
     const ColourTransform transform = config.to_colour_space(plan.colour.space, "test");
     const SettledLut settled = settle(plan.luts.front(), lut_encoding(transform, plan.colour.gamut));

@@ -43,10 +43,10 @@ TEST(SceneFile, SceneOfALutIsAFixedPoint) {
         "[lut.\"x.y\"]\nx = { parameter = \"picks[1].peak_nm\", from = 400, to = 500 }\ny = { parameter = \"shape\", "
         "from = 1, to = 0 }\n"
         "size = [4, 8]\nangle_deg = 33.3\nformat = \"float\"\n";
-    const Plan plan = plan_scene(parse_scene(text, "s"), curve_reader());
+    const Plan plan = plan_scene(parse_scene(text, "s"), scene_files());
     ASSERT_EQ(plan.luts.size(), 1u);
     const std::string once = scene_toml(plan.luts[0], plan.colour);
-    const Plan again = plan_scene(parse_scene(once, "header"), curve_reader());
+    const Plan again = plan_scene(parse_scene(once, "header"), scene_files());
     EXPECT_EQ(scene_toml(again.luts[0], again.colour), once);
     EXPECT_EQ(again.light->settings.power, plan.light->settings.power);
     EXPECT_EQ(again.light->settings.first_nm, 400);

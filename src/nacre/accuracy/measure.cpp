@@ -58,9 +58,13 @@ Measured measure(const Job& job, const Image<Rgb>& stored, const Encoding& encod
 Work bake_work(const Job& job, std::size_t suspects) {
     Work work;
     work.texels = static_cast<std::uint64_t>(job.width) * static_cast<std::uint64_t>(job.height);
-    (job.light->settings.wavelengths  ? work.spectra
+    const bool is_layered = needs_sampling(job.material.mechanism);
+    const auto& wavelengths = job.light->settings.wavelengths;
+    (is_layered || wavelengths        ? work.spectra
      : job.integral == Integral::fast ? work.fast_integrals
                                       : work.exact_integrals) = work.texels;
+    const int nodes = wavelengths ? *wavelengths : job.sampling.node_count();
+    work.samples = work.spectra * static_cast<std::uint64_t>(nodes * job.sampling.realisations);
     const std::size_t corners = job.y ? 4 : 2;
     work.references = suspects + corners + spread_points;
     return work;

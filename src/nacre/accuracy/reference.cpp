@@ -4,8 +4,10 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <numbers>
 
 #include "nacre/bake/bake.h"
+#include "nacre/bake/layered_colour.h"
 #include "nacre/bake/sampler.h"
 #include "nacre/colour/cie_tables.h"
 
@@ -20,27 +22,33 @@ struct QuadratureNode {
 constexpr std::array<QuadratureNode, 3> quadrature{
     {{0.5 - 0.387298334620741689, 5.0 / 18.0}, {0.5, 8.0 / 18.0}, {0.5 + 0.387298334620741689, 5.0 / 18.0}}};
 
-// Where a mechanism's reflectance is not smooth in the wavelength, or not there at all.
-struct Support {
-    double from_nm;
-    double to_nm;
-};
-struct SupportAt {
-    Incidence incidence;
-    Support operator()(const Palette& palette) const {
-        const Lobe lobe = palette_lobe(palette, incidence);
-        return {lobe.peak_nm - 0.5 * lobe.width_nm, lobe.peak_nm + 0.5 * lobe.width_nm};
-    }
-};
+// For spectra without bends two nodes do.
+constexpr std::array<QuadratureNode, 2> smooth_quadrature{
+    {{0.5 - 0.288675134594812882, 0.5}, {0.5 + 0.288675134594812882, 0.5}}};
 
-// One row per mechanism: reflectance at a wavelength, prepared for one angle.
-struct ReflectanceAt {
-    Incidence incidence;
-    Lobe operator()(const Palette& palette) const { return palette_lobe(palette, incidence); }
-};
+// Radians of the longest round trip through all layers between which a spectrum is that smooth.
+constexpr double longest_phase = 0.5;
 
 Xyz plus(const Xyz& sum, double factor, const Xyz& term) {
     return {sum.x + factor * term.x, sum.y + factor * term.y, sum.z + factor * term.z};
+}
+
+// Of all systems, by the solver or by its simple twin.
+std::vector<double> mean_reflectances(const std::vector<LayerSystem>& systems, const Incidence& incidence,
+                                      const std::vector<double>& wavelengths_nm, bool by_twin) {
+    std::vector<double> mean(wavelengths_nm.size());
+    std::vector<Response> responses(wavelengths_nm.size());
+    for (const LayerSystem& system : systems) {
+        if (by_twin) {
+            for (std::size_t i = 0; i < responses.size(); ++i)
+                responses[i] = multilayer_response(system, incidence, wavelengths_nm[i]);
+        } else {
+            MultilayerSolver(system, wavelengths_nm).responses(incidence, responses);
+        }
+        for (std::size_t i = 0; i < responses.size(); ++i)
+            mean[i] += responses[i].reflectance() / static_cast<double>(systems.size());
+    }
+    return mean;
 }
 
 }  // namespace
@@ -67,8 +75,11 @@ Xyz Reference::weight_at(double nm) const {
     return plus(plus({}, 1.0 - along, weights_[cell]), along, weights_[cell + 1]);
 }
 
-Xyz Reference::integral(const Mechanism& mechanism, const Incidence& incidence, double from_nm, double to_nm) const {
-    const Lobe lobe = std::visit(ReflectanceAt{incidence}, mechanism);
+Xyz Reference::integral(const Lobe& lobe) const {
+    const LightSettings& light = job_.light->settings;
+    const double from_nm = std::max(lobe.peak_nm - 0.5 * lobe.width_nm, static_cast<double>(light.first_nm));
+    const double to_nm = std::min(lobe.peak_nm + 0.5 * lobe.width_nm, static_cast<double>(light.last_nm));
+    if (!(from_nm < to_nm)) return {};
     // The cosine of a narrow band bends within a nanometre.
     const double longest_nm = std::min(1.0, 0.125 * (to_nm - from_nm));
     Xyz sum;
@@ -84,15 +95,44 @@ Xyz Reference::integral(const Mechanism& mechanism, const Incidence& incidence, 
     return sum;
 }
 
+Xyz Reference::layered(const Mechanism& mechanism, const Incidence& incidence) const {
+    const LightSettings& light = job_.light->settings;
+    const std::vector<LayerSystem> systems = layer_systems(mechanism, job_.sampling.realisations);
+    const double range_per_nm = 1.0 / light.first_nm - 1.0 / light.last_nm;
+    const double path_nm = fringe_count(mechanism, light) / range_per_nm;
+    // Towards grazing light every face is a mirror, and fringes become sharp.
+    const double phase_step = longest_phase * std::clamp(4.0 * incidence.cos_theta, 0.02, 1.0);
+    Xyz sum;
+    std::vector<double> wavelengths_nm;
+    std::vector<double> shares;
+    for (int nm = light.first_nm; nm < light.last_nm; ++nm) {
+        const double phase = 2.0 * std::numbers::pi * path_nm / (static_cast<double>(nm) * nm);
+        const int parts = std::max(1, static_cast<int>(std::ceil(phase / phase_step)));
+        for (int part = 0; part < parts; ++part) {
+            for (const QuadratureNode& node : smooth_quadrature) {
+                wavelengths_nm.push_back(nm + (part + node.at) / parts);
+                shares.push_back(node.share / parts);
+            }
+        }
+        constexpr std::size_t enough = 1024;
+        if (wavelengths_nm.size() < enough && nm + 1 < light.last_nm) continue;
+        // Fringes by the million are for the fast road.
+        const bool is_plain = systems.size() == 1 && parts < 16 && expanded_layers(systems.front()) <= most_twin_layers;
+        const std::vector<double> reflectances = mean_reflectances(systems, incidence, wavelengths_nm, is_plain);
+        for (std::size_t i = 0; i < reflectances.size(); ++i)
+            sum = plus(sum, shares[i] * reflectances[i], weight_at(wavelengths_nm[i]));
+        wavelengths_nm.clear();
+        shares.clear();
+    }
+    return sum;
+}
+
 Xyz Reference::at(double x, double y) const {
     const Mechanism mechanism = mechanism_at(job_, x, y);
     const Incidence incidence = incidence_at(job_, x, y);
-    const Support support = std::visit(SupportAt{incidence}, mechanism);
-    const LightSettings& light = job_.light->settings;
-    const double from_nm = std::max(support.from_nm, static_cast<double>(light.first_nm));
-    const double to_nm = std::min(support.to_nm, static_cast<double>(light.last_nm));
-    if (!(from_nm < to_nm)) return {};
-    return adapt(adaptation_, integral(mechanism, incidence, from_nm, to_nm));
+    const auto* palette = std::get_if<Palette>(&mechanism);
+    const Xyz seen = palette != nullptr ? integral(palette_lobe(*palette, incidence)) : layered(mechanism, incidence);
+    return adapt(adaptation_, seen);
 }
 
 }  // namespace nacre

@@ -23,6 +23,9 @@ constexpr double of_bound_in_2d = 0.98;
 // What `fast` may use of it: so little that it never costs a larger LUT.
 constexpr double share_of_fast = 0.02;
 
+// And what the nodes of a film's or stack's spectrum may: they err by less with every one more.
+constexpr double share_of_nodes = 0.02;
+
 // Points at which integrals are compared, and slices are laid through a 2D LUT.
 constexpr int survey_columns = 65;
 constexpr int survey_rows = 9;
@@ -59,12 +62,15 @@ public:
 
 private:
     Job& job() { return result_.lut.job; }
+    bool is_layered() const { return needs_sampling(result_.lut.job.material.mechanism); }
     bool samples() const { return result_.lut.job.light->settings.wavelengths.has_value(); }
     // A scene that insists on its wavelengths and gives no bound is only judged by what the LUT adds to their error.
     bool model_samples() const { return samples() && !wish_.has_bound; }
+    // Whether the error of the spectrum is not in what a scan finds, because the model has it too.
+    bool adds_spectrum() const { return model_samples() || (is_layered() && !samples()); }
     double fast_share() const { return share_of_fast * wish_.max_de00; }
     bool may_still_be_exact() const {
-        return result_.lut.job.integral == Integral::fast && !wish_.integral && !samples();
+        return result_.lut.job.integral == Integral::fast && !wish_.integral && !samples() && !is_layered();
     }
 
     SettledLut settle_blindly() {
@@ -77,12 +83,41 @@ private:
         take({wish_.width.value_or(256), is_2d ? wish_.height.value_or(64) : 1,
               wish_.format.value_or(PixelFormat::half_float)});
         job().integral = wish_.integral.value_or(Integral::exact);
+        choose_nodes();
         result_.is_reached = false;
         return std::move(result_);
     }
 
+    void choose_nodes() {
+        ChosenSampling chosen = choose_sampling(job(), share_of_nodes * wish_.max_de00, wish_.nodes.value_or(0),
+                                                wish_.realisations.value_or(0));
+        job().sampling = chosen.sampling;
+        result_.predicted.spectrum = chosen.error;
+        result_.work.spectra += static_cast<std::uint64_t>(chosen.spectra);
+    }
+
+    // How bright a film or stack is, and what its nodes cost.
+    void survey_layers() {
+        choose_nodes();
+        Job sample = job();
+        sample.width = survey_columns;
+        sample.height = sample.y ? survey_rows : 1;
+        const Image<Xyz> colours = bake(sample, {}, &result_.work);
+        scale_ = display_scale(colours);
+        if (!samples()) return;
+        sample.light = without_wavelengths(sample.light);
+        sample.sampling =
+            choose_sampling(sample, share_of_nodes * wish_.max_de00, 0, sample.sampling.realisations).sampling;
+        const Image<Xyz> truth = bake(sample, {}, &result_.work);
+        for (std::size_t i = 0; i < truth.size(); ++i) {
+            result_.predicted.spectrum =
+                std::max(result_.predicted.spectrum, difference_at(truth.data()[i], colours.data()[i], scale_));
+        }
+    }
+
     // How bright the LUT is, and what each way to integrate a spectrum costs.
     void survey() {
+        if (is_layered()) return survey_layers();
         Job exact = job();
         exact.integral = Integral::exact;
         exact.light = without_wavelengths(exact.light);
@@ -118,7 +153,10 @@ private:
     }
 
     // The error that a scan of a candidate may find. The model is the true integral, so the spectrum's error is in it.
-    double limit() const { return (result_.lut.job.y ? of_bound_in_2d : of_bound_in_1d) * wish_.max_de00; }
+    double limit() const {
+        const double bound = (result_.lut.job.y ? of_bound_in_2d : of_bound_in_1d) * wish_.max_de00;
+        return is_layered() && adds_spectrum() ? bound - result_.predicted.spectrum : bound;
+    }
 
     Trial trial_of(const Job& at_size, const Candidate& candidate, double scale = 0.0) const {
         Job sized = at_size;
@@ -135,7 +173,7 @@ private:
 
     void take(const Candidate& candidate, const Trial& trial, Scan scan) {
         take(candidate);
-        result_.predicted.total = scan.largest + (model_samples() ? result_.predicted.spectrum : 0.0);
+        result_.predicted.total = scan.largest + (adds_spectrum() ? result_.predicted.spectrum : 0.0);
         result_.worst = std::move(scan.worst);
         storage_error_ = trial.storage_error();
     }
@@ -284,6 +322,10 @@ private:
         if (samples() && split.spectrum > 0.5 * split.interpolation) {
             return std::to_string(*job().light->settings.wavelengths) + " wavelengths cost " +
                    error_text(split.spectrum) + ": leave wavelengths out";
+        }
+        if (is_layered() && split.spectrum > split.interpolation) {
+            return integration_text(job()) + " cost " + error_text(split.spectrum) +
+                   ": leave nodes and realisations out, or give more";
         }
         if (split.spectrum > split.interpolation)
             return "the fast integral costs " + error_text(split.spectrum) + ": use integral = \"exact\"";

@@ -30,7 +30,10 @@ double difference_above(const Xyz& one, const Xyz& other, double scale, double f
 // What a LUT is held against: the true integral, or the scene's own samples.
 Job model_of(Job job, bool sampled) {
     job.integral = Integral::exact;
-    if (!sampled) job.light = without_wavelengths(job.light);
+    if (sampled || !job.light->settings.wavelengths) return job;
+    job.light = without_wavelengths(job.light);
+    if (needs_sampling(job.material.mechanism))
+        job.sampling = choose_sampling(job, 1e-3, 0, job.sampling.realisations).sampling;
     return job;
 }
 

@@ -5,32 +5,58 @@
 namespace nacre {
 namespace {
 
-// One row per mechanism: its reflectance at one angle, as a function of wavelength.
-struct At {
-    Incidence incidence;
-    Lobe operator()(const Palette& palette) const { return palette_lobe(palette, incidence); }
+// One row per mechanism: what becomes of light at some wavelengths.
+struct ResponsesAt {
+    const Mechanism& mechanism;
+    const Incidence& incidence;
+    std::span<const double> wavelengths_nm;
+
+    std::vector<Response> operator()(const Palette& palette) const {
+        const Lobe lobe = palette_lobe(palette, incidence);
+        std::vector<Response> responses;
+        for (const double nm : wavelengths_nm) {
+            const double r = lobe_reflectance(lobe, nm);
+            responses.push_back({r, r, 0.0, 0.0});
+        }
+        return responses;
+    }
+    std::vector<Response> operator()(const Film&) const { return layered(); }
+    std::vector<Response> operator()(const Stack&) const { return layered(); }
+    std::vector<Response> layered() const {
+        return layered_responses(mechanism, incidence, wavelengths_nm, spectrum_realisations);
+    }
 };
 
 }  // namespace
 
-Spectrum reflectance(const Mechanism& mechanism, const Incidence& incidence, const WavelengthGrid& grid) {
-    const Lobe lobe = std::visit(At{incidence}, mechanism);
-    Spectrum spectrum{grid, {}};
-    for (int node = 0; node < grid.count; ++node) {
-        spectrum.value.push_back(lobe_reflectance(lobe, grid.wavelength_nm(node)));
-    }
-    return spectrum;
+std::vector<Response> responses_at(const Mechanism& mechanism, const Incidence& incidence,
+                                   std::span<const double> wavelengths_nm) {
+    return std::visit(ResponsesAt{mechanism, incidence, wavelengths_nm}, mechanism);
 }
 
 Response response_at(const Mechanism& mechanism, const Incidence& incidence, double wavelength_nm) {
-    const double r = lobe_reflectance(std::visit(At{incidence}, mechanism), wavelength_nm);
-    return {r, r, 0.0, 0.0};
+    return responses_at(mechanism, incidence, {&wavelength_nm, 1}).front();
+}
+
+Spectrum reflectance(const Mechanism& mechanism, const Incidence& incidence, const WavelengthGrid& grid) {
+    std::vector<double> wavelengths_nm;
+    for (int node = 0; node < grid.count; ++node) wavelengths_nm.push_back(grid.wavelength_nm(node));
+    Spectrum spectrum{grid, {}};
+    for (const Response& response : responses_at(mechanism, incidence, wavelengths_nm))
+        spectrum.value.push_back(response.reflectance());
+    return spectrum;
 }
 
 Xyz reflectance_xyz(const Mechanism& mechanism, const Incidence& incidence, const Light& light) {
     if (light.settings.wavelengths) return to_xyz(light.grid_weights, reflectance(mechanism, incidence, light.grid));
-    const Lobe lobe = std::visit(At{incidence}, mechanism);
-    return lobe_to_xyz(light.weights, lobe.peak_nm, lobe.width_nm, lobe.height);
+    if (const auto* palette = std::get_if<Palette>(&mechanism)) {
+        const Lobe lobe = palette_lobe(*palette, incidence);
+        return lobe_to_xyz(light.weights, lobe.peak_nm, lobe.width_nm, lobe.height);
+    }
+    Job job;
+    job.material.mechanism = mechanism;
+    job.light = {std::shared_ptr<const Light>(), &light};  // lent for as long as this function runs
+    return LayeredColour(mechanism, default_sampling(job)).at(incidence);
 }
 
 Xyz exact_xyz(const Job& job, double x, double y) {

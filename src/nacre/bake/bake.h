@@ -1,30 +1,32 @@
 #pragma once
 
 #include <functional>
+#include <span>
+#include <vector>
 
 #include "nacre/bake/image.h"
 #include "nacre/bake/plan.h"
 #include "nacre/bake/work.h"
 #include "nacre/colour/colour_types.h"
+#include "nacre/optics/response.h"
 
 namespace nacre {
 
 /// Reflectance spectrum of a mechanism at one angle, at the grid's nodes.
 Spectrum reflectance(const Mechanism& mechanism, const Incidence& incidence, const WavelengthGrid& grid);
 
-/// What becomes of the light at one wavelength, per polarisation; each in [0, 1], and R + T <= 1.
-struct Response {
-    double reflectance_s = 0.0;
-    double reflectance_p = 0.0;
-    double transmittance_s = 0.0;
-    double transmittance_p = 0.0;
-};
-
-/// A palette says nothing of polarisation (s and p are alike) and lets nothing through (T = 0).
-/// @param wavelength_nm  vacuum wavelength, > 0
+/// What becomes of light at some wavelengths. A palette says nothing of polarisation (s and p are alike) and lets
+/// nothing through (T = 0). Of an irregular stack the mean of `spectrum_realisations` is taken.
+/// @param wavelengths_nm  vacuum wavelengths, > 0, where the mechanism's materials are known
+std::vector<Response> responses_at(const Mechanism& mechanism, const Incidence& incidence,
+                                   std::span<const double> wavelengths_nm);
+/// The same at one.
 Response response_at(const Mechanism& mechanism, const Incidence& incidence, double wavelength_nm);
 
-/// Colour of a mechanism at one angle under a light, before adaptation; the exact integral unless the light samples.
+inline constexpr int spectrum_realisations = 1024;
+
+/// Colour of a mechanism at one angle under a light, before adaptation; the exact integral of a palette, and nodes that
+/// are good for CIEDE2000 0.001 of anything else, unless the light samples.
 Xyz reflectance_xyz(const Mechanism& mechanism, const Incidence& incidence, const Light& light);
 
 /// Called after every row of a bake; what it throws ends the bake.

@@ -1,123 +1,24 @@
 #include "nacre/bake/mechanism.h"
 
 #include <array>
-#include <cmath>
-#include <cstddef>
 
+#include "nacre/bake/mechanism_readers.h"
 #include "nacre/bake/names.h"
-#include "nacre/bake/text.h"
 
 namespace nacre {
 namespace {
 
-constexpr Allowed allowed_angle{0.0, 90.0, "degrees"};
-constexpr Allowed allowed_peak{100.0, 2000.0, "nm"};
-constexpr Allowed allowed_width{0.0, 1000.0, "nm"};
-constexpr Allowed allowed_height{0.0, 1.0};
-constexpr Allowed allowed_shape{0.0, 1.0};
-constexpr std::size_t most_picks = 100;
-
-struct PickParameter {
-    std::string_view key;
-    std::string_view description;
-    Allowed allowed;
-    double Lobe::*member;
-};
-constexpr std::array pick_parameters{
-    PickParameter{"peak_nm", "peak wavelength", allowed_peak, &Lobe::peak_nm},
-    PickParameter{"width_nm", "width", allowed_width, &Lobe::width_nm},
-    PickParameter{"height", "height", allowed_height, &Lobe::height},
-};
-
-Palette& palette_of(Mechanism& mechanism) {
-    return std::get<Palette>(mechanism);
-}
-
-std::vector<Parameter> palette_parameters(const Palette& palette) {
-    std::vector<Parameter> parameters;
-    parameters.push_back({"shape", "shape", allowed_shape,
-                          [](Mechanism& mechanism, double value) { palette_of(mechanism).shape = value; }});
-    for (const PickParameter& parameter : pick_parameters) {
-        const auto member = parameter.member;
-        parameters.push_back({std::string(parameter.key), std::string(parameter.description) + " of every pick",
-                              parameter.allowed, [member](Mechanism& mechanism, double value) {
-                                  for (Pick& pick : palette_of(mechanism).picks) pick.lobe.*member = value;
-                              }});
-    }
-    for (std::size_t i = 0; i < palette.picks.size(); ++i) {
-        const std::string prefix = "picks[" + std::to_string(i) + "].";
-        const std::string of_pick = " of pick " + std::to_string(i);
-        parameters.push_back(
-            {prefix + "angle_deg", "angle" + of_pick, allowed_angle,
-             [i](Mechanism& mechanism, double value) { palette_of(mechanism).picks[i].angle_deg = value; }});
-        for (const PickParameter& parameter : pick_parameters) {
-            const auto member = parameter.member;
-            parameters.push_back({prefix + std::string(parameter.key), std::string(parameter.description) + of_pick,
-                                  parameter.allowed, [i, member](Mechanism& mechanism, double value) {
-                                      palette_of(mechanism).picks[i].lobe.*member = value;
-                                  }});
-        }
-    }
-    return parameters;
-}
-
-// Throws Error if two picks lie at one angle and differ.
-void check_picks_differ(const Palette& palette, const Table& table, const Where& where) {
-    const auto& picks = palette.picks;
-    for (std::size_t i = 0; i < picks.size(); ++i) {
-        for (std::size_t j = i + 1; j < picks.size(); ++j) {
-            const double distance_deg = std::abs(picks[i].angle_deg - picks[j].angle_deg);
-            if (distance_deg >= smallest_pick_distance_deg || picks[i] == picks[j]) continue;
-            table.fail(where, "picks[" + std::to_string(i) + "] and picks[" + std::to_string(j) +
-                                  "] are different colours at one angle, " + number_text(picks[i].angle_deg) +
-                                  " degrees; allowed are angles at least " + number_text(smallest_pick_distance_deg) +
-                                  " degrees apart");
-        }
-    }
-}
-
-Palette read_palette(const Table& table) {
-    Palette palette;
-    const Value* picks = table.find("picks");
-    if (picks == nullptr) {
-        table.fail_missing("picks", "give two or more, each { angle_deg, peak_nm, width_nm, height }");
-    }
-    const Value::Array& list = table.checked_array("picks", *picks);
-    if (list.size() < 2 || list.size() > most_picks) {
-        table.fail(picks->where, "picks has " + std::to_string(list.size()) +
-                                     (list.size() == 1 ? " entry" : " entries") + "; allowed 2 to " +
-                                     std::to_string(most_picks) +
-                                     " (the colour at one angle says nothing about the others)");
-    }
-    for (const Value& element : list) {
-        const Table& pick = table.checked_table("picks", element);
-        palette.picks.push_back({pick.number("angle_deg", allowed_angle),
-                                 {pick.number("peak_nm", allowed_peak), pick.number("width_nm", allowed_width),
-                                  pick.number("height", allowed_height)}});
-        pick.expect_all_read();
-    }
-    palette.shape = table.number_or("shape", allowed_shape, Palette::default_shape);
-    check_picks_differ(palette, table, picks->where);
-    return palette;
-}
-
-std::string palette_toml(const Palette& palette) {
-    std::string text = "mechanism = \"palette\"\nshape = " + number_text(palette.shape) + "\npicks = [\n";
-    for (const Pick& pick : palette.picks) {
-        text += "    { angle_deg = " + number_text(pick.angle_deg) + ", peak_nm = " + number_text(pick.lobe.peak_nm) +
-                ", width_nm = " + number_text(pick.lobe.width_nm) + ", height = " + number_text(pick.lobe.height) +
-                " },\n";
-    }
-    return text + "]\n";
-}
-
 // One row per mechanism: its name in a scene and how it is read.
 struct MechanismRow {
     std::string_view name;
-    Mechanism (*read)(const Table&);
+    Mechanism (*read)(const Table&, const IndexReader&);
 };
 constexpr std::array mechanism_rows{
-    MechanismRow{"palette", [](const Table& table) -> Mechanism { return read_palette(table); }},
+    MechanismRow{"palette", [](const Table& table, const IndexReader&) -> Mechanism { return read_palette(table); }},
+    MechanismRow{"film",
+                 [](const Table& table, const IndexReader& index) -> Mechanism { return read_film(table, index); }},
+    MechanismRow{"stack",
+                 [](const Table& table, const IndexReader& index) -> Mechanism { return read_stack(table, index); }},
 };
 
 static_assert(mechanism_rows.size() == std::variant_size_v<Mechanism>, "one row per mechanism, in Mechanism's order");
@@ -127,6 +28,8 @@ static_assert(mechanism_rows.size() == std::variant_size_v<Mechanism>, "one row 
 std::vector<Parameter> parameters_of(const Mechanism& mechanism) {
     struct Visitor {
         std::vector<Parameter> operator()(const Palette& palette) const { return palette_parameters(palette); }
+        std::vector<Parameter> operator()(const Film& film) const { return film_parameters(film); }
+        std::vector<Parameter> operator()(const Stack& stack) const { return stack_parameters(stack); }
     };
     return std::visit(Visitor{}, mechanism);
 }
@@ -135,11 +38,11 @@ std::string_view mechanism_name(const Mechanism& mechanism) {
     return mechanism_rows[mechanism.index()].name;
 }
 
-Mechanism read_mechanism(const Table& table) {
+Mechanism read_mechanism(const Table& table, const IndexReader& index) {
     const std::string name = table.text_or("mechanism", mechanism_rows.front().name);
     std::vector<std::string> known;
     for (const MechanismRow& row : mechanism_rows) {
-        if (row.name == name) return row.read(table);
+        if (row.name == name) return row.read(table, index);
         known.emplace_back(row.name);
     }
     table.fail_at("mechanism", "unknown mechanism " + in_quotes(name) + "; known: " + comma_separated(known));
@@ -148,6 +51,8 @@ Mechanism read_mechanism(const Table& table) {
 std::string mechanism_toml(const Mechanism& mechanism) {
     struct Visitor {
         std::string operator()(const Palette& palette) const { return palette_toml(palette); }
+        std::string operator()(const Film& film) const { return film_toml(film); }
+        std::string operator()(const Stack& stack) const { return stack_toml(stack); }
     };
     return std::visit(Visitor{}, mechanism);
 }

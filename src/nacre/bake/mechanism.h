@@ -7,13 +7,16 @@
 #include <vector>
 
 #include "nacre/bake/table.h"
+#include "nacre/optics/layered.h"
 #include "nacre/optics/palette.h"
 
 namespace nacre {
 
+struct IndexReader;
+
 /// What makes a material's colour: the closed list. A new mechanism is a file under optics/, an alternative here and a
 /// row in mechanism.cpp; the compiler names every visitor that lacks it.
-using Mechanism = std::variant<Palette>;
+using Mechanism = std::variant<Palette, Film, Stack>;
 
 /// A material of a scene.
 struct Material {
@@ -37,7 +40,8 @@ std::vector<Parameter> parameters_of(const Mechanism& mechanism);
 std::string_view mechanism_name(const Mechanism& mechanism);
 
 /// Reads `mechanism` and that mechanism's keys. Throws Error for anything that is wrong or unknown.
-Mechanism read_mechanism(const Table& table);
+/// @param index  reads what materials are made of, and knows which wavelengths they are needed at
+Mechanism read_mechanism(const Table& table, const IndexReader& index);
 
 /// What the user wrote so as to get this mechanism: the lines below a [material.NAME] heading, in TOML.
 std::string mechanism_toml(const Mechanism& mechanism);

@@ -12,13 +12,13 @@ constexpr Allowed allowed_version{1, 1};
 // Reads one scene; holds what its tables refer to each other by.
 class Planner {
 public:
-    Planner(const Table& scene, const CurveReader& read_curve) : scene_(scene), read_curve_(read_curve) {}
+    Planner(const Table& scene, const SceneFiles& files) : scene_(scene), files_(files) {}
 
     Plan plan() {
         scene_.integer_or("nacre", allowed_version, 1);
         accuracy_ = read_accuracy(scene_.table("accuracy"));
         plan_.light = std::make_shared<const Light>(
-            make_light(read_light(scene_.table("light"), accuracy_.wavelengths, read_curve_)));
+            make_light(read_light(scene_.table("light"), accuracy_.wavelengths, files_.read_curve)));
         check_white();
         read_colour();
         read_materials();
@@ -45,6 +45,14 @@ private:
             "the white of illuminant " + in_quotes(light.settings.illuminant) +
             " cannot be adapted to D65; use adapt = \"none\", more wavelengths, or a broader spectrum";
         table != nullptr ? table->fail_at("illuminant", message) : scene_.fail_at("accuracy", message);
+    }
+
+    void check_fringes(const Table& material, const Mechanism& mechanism) const {
+        const double fringes = fringe_count(mechanism, plan_.light->settings);
+        if (fringes <= most_fringes) return;
+        material.fail(material.where(), "the layers are so thick that " + significant_text(fringes, 3) +
+                                            " fringes lie in the light's range; allowed " + number_text(most_fringes) +
+                                            "; in a stack a thick layer may be marked incoherent = true");
     }
 
     void read_colour() {
@@ -75,8 +83,11 @@ private:
         for (const Table::Entry& entry : materials->entries()) {
             const Table& table = materials->checked_table(entry.key, entry.value);
             check_name(entry.key, *materials, entry.key_where);
-            Material material{entry.key, read_mechanism(table), entry.key_where};
+            const IndexReader reader{files_.find_material, static_cast<double>(plan_.light->settings.first_nm),
+                                     static_cast<double>(plan_.light->settings.last_nm)};
+            Material material{entry.key, read_mechanism(table, reader), entry.key_where};
             table.expect_all_read();
+            check_fringes(table, material.mechanism);
             plan_.materials.push_back(std::move(material));
         }
     }
@@ -113,7 +124,7 @@ private:
     }
 
     const Table& scene_;
-    const CurveReader& read_curve_;
+    const SceneFiles& files_;
     Plan plan_;
     AccuracySettings accuracy_;
 };
@@ -124,8 +135,21 @@ std::string size_text(const Job& job) {
     return std::to_string(job.width) + " x " + std::to_string(job.height);
 }
 
-Plan plan_scene(const Table& scene, const CurveReader& read_curve) {
-    return Planner(scene, read_curve).plan();
+std::string integration_text(const Job& job) {
+    if (!needs_sampling(job.material.mechanism) && !job.light->settings.wavelengths)
+        return std::string(name_of(integral_words, job.integral));
+    std::string text;
+    if (job.light->settings.wavelengths) {
+        text = std::to_string(*job.light->settings.wavelengths) + " wavelengths";
+    } else {
+        text = std::to_string(job.sampling.node_count()) + " nodes";
+    }
+    if (job.sampling.realisations > 1) text += " x " + std::to_string(job.sampling.realisations);
+    return text;
+}
+
+Plan plan_scene(const Table& scene, const SceneFiles& files) {
+    return Planner(scene, files).plan();
 }
 
 }  // namespace nacre

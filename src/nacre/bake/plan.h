@@ -7,8 +7,10 @@
 
 #include "nacre/bake/axis.h"
 #include "nacre/bake/catalogue.h"
+#include "nacre/bake/index.h"
 #include "nacre/bake/light.h"
 #include "nacre/bake/mechanism.h"
+#include "nacre/bake/spectral_sampling.h"
 
 namespace nacre {
 
@@ -21,7 +23,8 @@ struct Job {
     int width = 256;
     int height = 1;                       ///< 1 without y
     double angle_deg = 0.0;               ///< where neither axis is the angle
-    Integral integral = Integral::exact;  ///< unless the light samples spectra
+    Integral integral = Integral::exact;  ///< of palettes, unless the light samples spectra
+    SpectralSampling sampling;            ///< of films and stacks
 };
 
 /// Which OpenColorIO config, space and gamut. The config itself is opened by the front end.
@@ -38,6 +41,9 @@ struct ColourSettings {
 /// "256 x 1".
 std::string size_text(const Job& job);
 
+/// How the job's spectra become XYZ: "exact", "fast", "48 nodes", "48 nodes x 256", "471 wavelengths".
+std::string integration_text(const Job& job);
+
 /// What a scene says of a LUT's accuracy. What it leaves open is decided by settle(), where the colour space is known.
 struct AccuracyWish {
     double max_de00 = default_max_de00;  ///< largest CIEDE2000 error of what a shader fetches
@@ -50,6 +56,8 @@ struct AccuracyWish {
     std::optional<int> height;
     std::optional<PixelFormat> format;
     std::optional<Integral> integral;
+    std::optional<int> nodes;         ///< wavelengths of films and stacks
+    std::optional<int> realisations;  ///< of irregular ones
 
     static constexpr double default_max_de00 = 0.1;
 };
@@ -84,12 +92,18 @@ struct Plan {
     std::vector<PlannedSwatch> swatches;
 };
 
+/// How the core asks for the files that a scene names.
+struct SceneFiles {
+    CurveReader read_curve;
+    MaterialReader find_material;
+};
+
 /// Decides everything that a scene leaves open. After it only the disk can fail.
 ///
 /// Every mistake of the user's is found here: unknown keys and names, wrong types, numbers out of range, picks that
 /// contradict each other. Throws Error with file, line and column.
 /// @param scene  the top table of a scene, includes resolved
-Plan plan_scene(const Table& scene, const CurveReader& read_curve);
+Plan plan_scene(const Table& scene, const SceneFiles& files);
 
 /// A scene that holds one LUT and nothing else, every default written out: what a file header carries so that the LUT
 /// can be derived again. plan_scene() of it gives the same job, and this text again.

@@ -8,6 +8,8 @@ namespace nacre {
 namespace {
 
 constexpr Allowed allowed_wavelengths{2, 10000};
+constexpr Allowed allowed_nodes{8, most_nodes};
+constexpr Allowed allowed_realisations{2, 16384};
 constexpr Allowed allowed_size{2, largest_lut_size, "texels"};
 constexpr std::size_t longest_name = 100;
 constexpr Allowed allowed_angle{0.0, 90.0, "degrees"};
@@ -122,6 +124,16 @@ AccuracySettings read_accuracy(const Table* table) {
                         "integral says how to do without wavelengths, and wavelengths is given; leave one of them out");
         }
     }
+    if (const Value* nodes = table->find("nodes"))
+        accuracy.nodes = table->checked_integer("nodes", *nodes, allowed_nodes);
+    if (accuracy.nodes && accuracy.wavelengths) {
+        table->fail_at("nodes", "nodes and wavelengths both say where spectra are sampled; leave one of them out");
+    }
+    if (const Value* realisations = table->find("realisations")) {
+        accuracy.realisations = table->checked_integer("realisations", *realisations, allowed_realisations);
+        if (*accuracy.realisations % 2 != 0)
+            table->fail(realisations->where, "realisations come in pairs; give an even number");
+    }
     accuracy.size = read_lut_size(*table);
     table->expect_all_read();
     return accuracy;
@@ -142,6 +154,8 @@ AccuracyWish default_wish(const AccuracySettings& accuracy, bool has_y) {
     wish.is_binding = accuracy.max_de00.has_value();
     wish.has_bound = wish.is_binding || (!accuracy.wavelengths && !accuracy.size.width);
     wish.integral = accuracy.integral;
+    wish.nodes = accuracy.nodes;
+    wish.realisations = accuracy.realisations;
     wish.width = accuracy.size.width;
     if (has_y) wish.height = accuracy.size.height;
     return wish;

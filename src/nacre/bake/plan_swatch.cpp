@@ -27,7 +27,14 @@ void show_lut(const Table& table, const Value& value, const Plan& plan, PlannedS
 }
 
 void show_material(const Table& table, const Plan& plan, PlannedSwatch& swatch) {
-    swatch.jobs = swatch_jobs(swatch.kind, material_of(table, plan.materials), plan.light);
+    const Material& material = material_of(table, plan.materials);
+    const bool needs_picks = swatch.kind == SwatchKind::plane || swatch.kind == SwatchKind::palette;
+    if (needs_picks && !std::holds_alternative<Palette>(material.mechanism)) {
+        table.fail_at("draw", "draw = " + in_quotes(name_of(swatch_words, swatch.kind)) +
+                                  " shows the picks of a palette, and material " + in_quotes(material.name) + " is a " +
+                                  std::string(mechanism_name(material.mechanism)) + "; draw a strip or a sphere");
+    }
+    swatch.jobs = swatch_jobs(swatch.kind, material, plan.light);
     if (swatch.kind != SwatchKind::palette) return;
     const Allowed allowed_pick{0.0, static_cast<double>(swatch.jobs.size() - 1)};
     const int pick = table.integer_or("pick", allowed_pick, -1);

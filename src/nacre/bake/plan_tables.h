@@ -27,6 +27,8 @@ struct AccuracySettings {
     std::optional<double> max_de00;
     std::optional<int> wavelengths;
     std::optional<Integral> integral;
+    std::optional<int> nodes;
+    std::optional<int> realisations;
     LutSize size;
 };
 /// @param table  null: nothing is said

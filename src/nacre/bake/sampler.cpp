@@ -5,13 +5,15 @@
 namespace nacre {
 namespace {
 
+using Prepared = std::variant<PaletteCurve, LayeredColour>;
+
 // One row per mechanism: what answers for it at many angles.
 struct Prepare {
-    PaletteCurve operator()(const Palette& palette) const { return PaletteCurve(palette); }
-};
-struct PrepareAgain {
-    PaletteCurve& curve;
-    void operator()(const Palette& palette) const { curve.reset(palette); }
+    const Mechanism& mechanism;
+    const SpectralSampling& sampling;
+    Prepared operator()(const Palette& palette) const { return PaletteCurve(palette); }
+    Prepared operator()(const Film&) const { return LayeredColour(mechanism, sampling); }
+    Prepared operator()(const Stack&) const { return LayeredColour(mechanism, sampling); }
 };
 
 bool is_parameter(const Axis& axis) {
@@ -34,7 +36,10 @@ Incidence incidence_at(const Job& job, double x, double y) {
 }
 
 Sampler::Sampler(const Job& job)
-    : job_(job), mechanism_(mechanism_at(job, 0.0, 0.0)), curve_(std::visit(Prepare{}, mechanism_)) {}
+    : job_(job),
+      mechanism_(mechanism_at(job, 0.0, 0.0)),
+      sampling_(job.sampling.nodes ? job.sampling : default_sampling(job)),
+      prepared_(std::visit(Prepare{mechanism_, sampling_}, mechanism_)) {}
 
 void Sampler::set_parameters(double x, double y) {
     const bool x_moves = is_parameter(job_.x) && last_x_ != x;
@@ -44,13 +49,19 @@ void Sampler::set_parameters(double x, double y) {
     if (y_moves) job_.y->parameter.set(mechanism_, job_.y->parameter_value(y));  // axes set different numbers
     last_x_ = x;
     last_y_ = y;
-    std::visit(PrepareAgain{curve_}, mechanism_);
+    auto* curve = std::get_if<PaletteCurve>(&prepared_);
+    if (curve != nullptr) {
+        curve->reset(std::get<Palette>(mechanism_));
+    } else {
+        prepared_ = std::visit(Prepare{mechanism_, sampling_}, mechanism_);
+    }
 }
 
 Xyz Sampler::colour_of(const Lobe& lobe) {
     const Light& light = *job_.light;
     if (light.settings.wavelengths) {
         ++work_.spectra;
+        work_.samples += static_cast<std::uint64_t>(light.grid.count);
         Xyz sum;
         for (int node = 0; node < light.grid.count; ++node) {
             const double r = lobe_reflectance(lobe, light.grid.wavelength_nm(node));
@@ -81,11 +92,22 @@ const Incidence& Sampler::incidence(double x, double y) {
 
 Lobe Sampler::lobe_at(double x, double y) {
     set_parameters(x, y);
-    return curve_.at(incidence(x, y));
+    return std::get<PaletteCurve>(prepared_).at(incidence(x, y));
+}
+
+Xyz Sampler::colour_of(const LayeredColour& colour, const Incidence& incidence) {
+    ++work_.spectra;
+    work_.samples += colour.samples();
+    return colour.at(incidence);
 }
 
 Xyz Sampler::at(double x, double y) {
-    return adapt(job_.light->adaptation, colour_of(lobe_at(x, y)));
+    set_parameters(x, y);
+    const Incidence& here = incidence(x, y);
+    const auto* curve = std::get_if<PaletteCurve>(&prepared_);
+    const Xyz seen =
+        curve != nullptr ? colour_of(curve->at(here)) : colour_of(std::get<LayeredColour>(prepared_), here);
+    return adapt(job_.light->adaptation, seen);
 }
 
 }  // namespace nacre

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <optional>
+#include <variant>
 
+#include "nacre/bake/layered_colour.h"
 #include "nacre/bake/plan.h"
 #include "nacre/bake/work.h"
 #include "nacre/colour/colour_types.h"
@@ -20,7 +22,7 @@ public:
     /// @param x,y  coordinates on the job's axes, in [0, 1]; y is ignored without an axis y
     Xyz at(double x, double y = 0.0);
 
-    /// The band of reflectance behind that colour.
+    /// The band of reflectance behind that colour. @pre the job's material is a palette
     Lobe lobe_at(double x, double y = 0.0);
 
     /// Of everything asked so far.
@@ -30,11 +32,13 @@ private:
     void set_parameters(double x, double y);
     const Incidence& incidence(double x, double y);
     Xyz colour_of(const Lobe& lobe);
+    Xyz colour_of(const LayeredColour& colour, const Incidence& incidence);
 
     const Job& job_;
     Mechanism mechanism_;
-    PaletteCurve curve_;
-    std::optional<double> last_x_;  // of parameters, where they are axes
+    SpectralSampling sampling_;
+    std::variant<PaletteCurve, LayeredColour> prepared_;  // what answers for the mechanism at many angles
+    std::optional<double> last_x_;                        // of parameters, where they are axes
     std::optional<double> last_y_;
     std::optional<double> last_angle_;  // coordinate on the axis that is the angle
     Incidence incidence_;               // there

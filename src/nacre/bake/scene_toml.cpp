@@ -10,8 +10,16 @@ std::string scene_toml(const PlannedLut& lut, const ColourSettings& colour) {
             "\ngamut = " + toml_string(name_of(gamut_words, colour.gamut)) + "\n";
     text += "\n[accuracy]\n";
     if (lut.wish.has_bound) text += "max_de00 = " + number_text(lut.wish.max_de00) + "\n";
-    text += job.light->settings.wavelengths ? "wavelengths = " + std::to_string(*job.light->settings.wavelengths) + "\n"
-                                            : "integral = " + toml_string(name_of(integral_words, job.integral)) + "\n";
+    const bool is_sampled = needs_sampling(job.material.mechanism);
+    if (job.light->settings.wavelengths) {
+        text += "wavelengths = " + std::to_string(*job.light->settings.wavelengths) + "\n";
+    } else if (!is_sampled) {
+        text += "integral = " + toml_string(name_of(integral_words, job.integral)) + "\n";
+    } else if (job.sampling.nodes) {
+        text += "nodes = " + std::to_string(job.sampling.node_count()) + "\n";
+    }
+    if (is_sampled && job.sampling.realisations > 1)
+        text += "realisations = " + std::to_string(job.sampling.realisations) + "\n";
     text += "\n[material." + toml_string(job.material.name) + "]\n" + mechanism_toml(job.material.mechanism);
     text += "\n[lut." + toml_string(lut.name) + "]\nmaterial = " + toml_string(job.material.name) +
             "\nx = " + axis_toml(job.x) + "\n";

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <vector>
+
+#include "nacre/colour/tristimulus.h"
+
+namespace nacre {
+
+/// Wavelengths at which a smooth spectrum is sampled, and what each of its values weighs: X = sum of R(nm) * x.
+struct SpectralNodes {
+    /// Weights are padded with zeros, and wavelengths with the last one, to a multiple of this: SIMD registers.
+    static constexpr int padding = 8;
+
+    int count = 0;                      ///< without the padding
+    std::vector<double> wavelength_nm;  ///< count of them
+    std::vector<double> x;              ///< padded
+    std::vector<double> y;
+    std::vector<double> z;
+};
+
+/// Product integration: the spectrum is interpolated by a polynomial in the wavenumber 1 / wavelength through Chebyshev
+/// nodes, and that is integrated exactly against the weights, jagged as they may be (Sloan & Smith 1978, Math. Comp.
+/// 32, 1). Interference fringes are even in wavenumber, so a spectrum with F of them needs little more than pi * F
+/// nodes, beyond which the error falls by a factor per node. A spectrum of ones has Y = 1 to rounding.
+///
+/// More than `most_nodes_per_panel` are spread over several even panels of the wavenumber.
+/// @param count  >= 2
+SpectralNodes make_spectral_nodes(const TristimulusWeights& weights, int count);
+
+inline constexpr int most_nodes_per_panel = 192;
+
+/// Nodes for a sum over an even grid (trapezium rule).
+SpectralNodes make_spectral_nodes(const GridWeights& weights, const WavelengthGrid& grid);
+
+}  // namespace nacre

@@ -1,0 +1,163 @@
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <utility>
+
+#include "nacre/optics/multilayer.h"
+#include "nacre/optics/multilayer_kernel.h"
+
+namespace nacre {
+namespace {
+
+// Nodes as steps whose members lie side by side, groups after the steps that they are among.
+class StepBuilder {
+public:
+    StepBuilder(const std::vector<LayerNode>& nodes, std::vector<LayerStep>& steps) : nodes_(nodes), steps_(steps) {}
+
+    // The siblings in [begin, end) become steps [first, last), which are returned.
+    std::pair<int, int> add(std::size_t begin, std::size_t end) {
+        const auto first = static_cast<int>(steps_.size());
+        std::vector<std::pair<std::size_t, std::size_t>> groups;  // step, node
+        for (std::size_t i = begin; i < end; ++i) {
+            const LayerNode& node = nodes_[i];
+            if (node.repeat > 0) groups.emplace_back(steps_.size(), i);
+            steps_.push_back({node.thickness_nm, node.medium, node.repeat, 0, 0, false});
+            i += static_cast<std::size_t>(node.count);
+        }
+        const auto last = static_cast<int>(steps_.size());
+        for (const auto& [step, node] : groups) {
+            const auto members = add(node + 1, node + 1 + static_cast<std::size_t>(nodes_[node].count));
+            steps_[step].first = members.first;
+            steps_[step].last = members.second;
+            constexpr int few = 4;
+            steps_[step].is_short = members.second - members.first <= few &&
+                                    std::all_of(steps_.begin() + members.first, steps_.begin() + members.second,
+                                                [](const LayerStep& member) { return member.repeat == 0; });
+        }
+        return {first, last};
+    }
+
+private:
+    const std::vector<LayerNode>& nodes_;
+    std::vector<LayerStep>& steps_;
+};
+
+void split_into_parts(const LayerSystem& system, PreparedLayers& prepared) {
+    StepBuilder builder(system.nodes, prepared.steps);
+    int above = system.incident;
+    std::size_t begin = 0;
+    const auto close = [&](std::size_t end, int below) {
+        const auto [first, last] = builder.add(begin, end);
+        prepared.parts.push_back({above, below, first, last});
+        above = below;
+        begin = end + 1;
+    };
+    for (std::size_t i = 0; i < system.nodes.size(); ++i) {
+        const LayerNode& node = system.nodes[i];
+        if (!node.is_incoherent) {
+            i += static_cast<std::size_t>(node.count);
+            continue;
+        }
+        close(i, node.medium);
+        prepared.incoherent.push_back({node.thickness_nm, node.medium, 0, 0, 0, false});
+    }
+    close(system.nodes.size(), system.substrate);
+}
+
+void sample_indices(const LayerSystem& system, std::span<const double> wavelength_nm, PreparedLayers& prepared) {
+    std::vector<double> least(system.curves.size(), std::numeric_limits<double>::infinity());
+    std::vector<double> largest(system.curves.size(), 0.0);
+    std::vector<char> lossless(system.curves.size(), 1);
+    for (std::size_t curve = 0; curve < system.curves.size(); ++curve) {
+        for (const double nm : wavelength_nm) {
+            const RefractiveIndex index = system.curves[curve].at(nm);
+            prepared.n.push_back(index.real());
+            prepared.k.push_back(index.imag());
+            least[curve] = std::min(least[curve], index.real());
+            largest[curve] = std::max(largest[curve], index.real());
+            if (index.imag() != 0.0) lossless[curve] = 0;
+        }
+    }
+    for (const Medium& medium : system.media) {
+        const auto curve = static_cast<std::size_t>(medium.curve);
+        const auto other = medium.share == 0.0 ? curve : static_cast<std::size_t>(medium.other);
+        prepared.least_n.push_back(std::min(least[curve], least[other]));
+        prepared.is_lossless.push_back(lossless[curve] && lossless[other]);
+    }
+    const auto incident = static_cast<std::size_t>(system.media[static_cast<std::size_t>(system.incident)].curve);
+    prepared.largest_n0 = largest[incident];
+    for (const Medium& medium : system.media) {
+        // Refraction depends on the incident medium too.
+        prepared.is_dispersive.push_back(!system.curves[static_cast<std::size_t>(medium.curve)].is_constant() ||
+                                         !system.curves[static_cast<std::size_t>(medium.other)].is_constant() ||
+                                         !system.curves[incident].is_constant());
+    }
+    prepared.is_layer.assign(system.media.size(), 0);
+    for (const LayerNode& node : system.nodes) {
+        if (node.repeat == 0) prepared.is_layer[static_cast<std::size_t>(node.medium)] = 1;
+    }
+}
+
+}  // namespace
+
+MultilayerSolver::MultilayerSolver(const LayerSystem& system, std::span<const double> wavelengths_nm)
+    : count_(wavelengths_nm.size()) {
+    auto prepared = std::make_shared<PreparedLayers>();
+    std::vector<double> padded(wavelengths_nm.begin(), wavelengths_nm.end());
+    while (padded.size() % PreparedLayers::padding != 0) padded.push_back(padded.back());
+    prepared->wavelengths = padded.size();
+    for (const double nm : padded) prepared->per_nm.push_back(2.0 * std::numbers::pi / nm);
+    prepared->media = system.media;
+    prepared->incident = system.incident;
+    prepared->substrate = system.substrate;
+    sample_indices(system, padded, *prepared);
+    split_into_parts(system, *prepared);
+    prepared_ = std::move(prepared);
+}
+
+std::size_t MultilayerSolver::padded_count() const {
+    return prepared_->wavelengths;
+}
+
+namespace {
+
+LayersAtAngle at_angle(const PreparedLayers& layers, const Incidence& incidence) {
+    LayersAtAngle angle{&layers, Transverse(incidence), {}, {}};
+    // Conservative where the incident medium is dispersive: its largest index makes waves evanescent first.
+    const double n0 = layers.largest_n0;
+    const double u = n0 * angle.transverse.u_per_n0;
+    const double v = n0 * n0 * angle.transverse.v_per_n0_squared;
+    for (std::size_t i = 0; i < layers.media.size(); ++i) {
+        const double n = layers.least_n[i];
+        angle.is_plain.push_back(layers.is_lossless[i] && n > 0.0 && (n - u) * (n + u) + v >= 0.0);
+    }
+    // Members lie behind their group.
+    angle.is_plain_step.resize(layers.steps.size());
+    for (std::size_t i = layers.steps.size(); i-- > 0;) {
+        const LayerStep& step = layers.steps[i];
+        if (step.repeat == 0) {
+            angle.is_plain_step[i] = angle.is_plain[static_cast<std::size_t>(step.medium)];
+        } else {
+            angle.is_plain_step[i] =
+                std::all_of(angle.is_plain_step.begin() + step.first, angle.is_plain_step.begin() + step.last,
+                            [](char is_plain) { return is_plain != 0; });
+        }
+    }
+    return angle;
+}
+
+}  // namespace
+
+void MultilayerSolver::responses(const Incidence& incidence, std::span<Response> out) const {
+    std::vector<Response> padded(prepared_->wavelengths);
+    multilayer_responses(at_angle(*prepared_, incidence), padded.data());
+    std::copy_n(padded.begin(), count_, out.begin());
+}
+
+std::array<double, 3> MultilayerSolver::weighted_reflectances(const Incidence& incidence,
+                                                              const std::array<const double*, 3>& weights) const {
+    return multilayer_weighted(at_angle(*prepared_, incidence), weights);
+}
+
+}  // namespace nacre

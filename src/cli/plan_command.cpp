@@ -80,7 +80,7 @@ nlohmann::ordered_json task_json(const SettledTask& task, double seconds) {
     } else if (!needs_sampling(job.material.mechanism)) {
         json["integral"] = name_of(integral_words, job.integral);
     } else {
-        json["nodes"] = job.sampling.node_count();
+        json["nodes"] = job.sampling.node_counts();
     }
     if (job.sampling.realisations > 1) json["realisations"] = job.sampling.realisations;
     json["max_de00"] = nullptr;
@@ -89,6 +89,7 @@ nlohmann::ordered_json task_json(const SettledTask& task, double seconds) {
     if (task.scene->transform.has_way_back()) {
         json["predicted"] = {{"de00", settled.predicted.total},
                              {"spectrum", settled.predicted.spectrum},
+                             {"spread", settled.predicted.spread},
                              {"interpolation", settled.predicted.interpolation},
                              {"storage", settled.predicted.storage}};
     }

@@ -134,7 +134,7 @@ BakedLut bake_lut(const SettledLut& settled, const ColourSettings& colour, const
     const Encoding encoding = lut_encoding(transform, colour.gamut);
     if (encoding.to_xyz) {
         const Measured measured = measure(lut.job, baked.image, encoding, settled.worst);
-        baked.reached = rounded_up(measured.reached);
+        baked.reached = rounded_up(measured.reached + settled.predicted.spread);
         baked.work += measured.work;
     }
     if (const auto* palette = std::get_if<Palette>(&lut.job.material.mechanism))

@@ -17,6 +17,7 @@ constexpr int integral_size = 1024;  // large enough to show what an integral er
 constexpr int mistake_size = 256;
 constexpr std::array fixed_sizes{32, 64, 128, 256, 512, 1024};
 constexpr std::array bounds{5.0, 2.0, 1.0, 0.5, 0.2, 0.1, 0.05, 0.02, 0.01, 0.005, 0.002};
+constexpr std::array node_counts{12, 16, 24, 32, 48, 64, 128};
 constexpr std::array sum_steps_nm{1, 2, 5, 10, 20};
 
 using Store = std::function<double(double)>;
@@ -54,6 +55,7 @@ public:
         lut_.job.light = without_wavelengths(lut.job.light);
         const SettledLut settled = settle(lut_, encoding, after_step);
         height_ = settled.lut.job.height;
+        lut_.job.sampling = settled.lut.job.sampling;
     }
 
     std::vector<CostCase> all() {
@@ -99,7 +101,37 @@ private:
         };
     }
 
+    // A film or stack at the wavelengths of a rival.
+    Job sampled(Job job, SpectralNodes nodes) const {
+        job.sampling.nodes.fill(std::make_shared<const SpectralNodes>(std::move(nodes)));
+        job.sampling.blurred.clear();
+        return job;
+    }
+
+    void add_nodes(std::string label, SpectralNodes nodes) {
+        CostCase& cost = add(CostFamily::integral, std::move(label), sized(integral_size), PixelFormat::single_float);
+        cost.make = [&encoding = encoding_, job = sampled(cost.job, std::move(nodes))] {
+            Image<Rgb> image = encoding.to_rgb(bake(job));
+            store(image, [&](double value) { return encoding.stored(value, PixelFormat::single_float); });
+            return image;
+        };
+    }
+
+    // Films and stacks: nodes by product integration, and what others do.
+    void add_samplings() {
+        const Light& light = *lut_.job.light;
+        add(CostFamily::integral, "chosen nodes", sized(integral_size), PixelFormat::single_float);
+        for (const int count : node_counts)
+            add_nodes(std::to_string(count) + " nodes", make_spectral_nodes(light.weights, count));
+        for (const int step_nm : sum_steps_nm)
+            add_nodes(std::to_string(step_nm) + " nm sum", sum_nodes(light, step_nm));
+        if (light.settings.observer == Observer::cie1931_2deg) add_nodes("Wyman fit at 5 nm", fit_nodes(light, false));
+        add_nodes("Wyman single-lobe fit at 5 nm", fit_nodes(light, true));
+        add_nodes("three wavelengths", three_wavelengths_nodes(light));
+    }
+
     void add_integrals() {
+        if (needs_sampling(lut_.job.material.mechanism)) return add_samplings();
         const Light& light = *lut_.job.light;
         add(CostFamily::integral, "exact integral", sized(integral_size), PixelFormat::single_float);
         Job fast = sized(integral_size);
@@ -126,17 +158,23 @@ private:
         }
     }
 
+    void add_coarse_sum() {
+        const Light& light = *lut_.job.light;
+        CostCase& cost = add(CostFamily::mistake, "5 nm sum", sized(mistake_size), PixelFormat::half_float);
+        std::function<Image<Xyz>()> colours = [job = cost.job, rival = std::shared_ptr<const Rival>(make_sum_rival(
+                                                                   light, 5))] { return bake_with(job, *rival); };
+        if (needs_sampling(cost.job.material.mechanism))
+            colours = [job = sampled(cost.job, sum_nodes(light, 5))] { return bake(job); };
+        cost.make = [&encoding = encoding_, colours = std::move(colours)] {
+            Image<Rgb> image = encoding.to_rgb(colours());
+            store(image, [&](double value) { return encoding.stored(value, PixelFormat::half_float); });
+            return image;
+        };
+    }
+
     void add_mistakes() {
         add(CostFamily::mistake, "none of these", sized(mistake_size), PixelFormat::half_float);
-        {
-            CostCase& cost = add(CostFamily::mistake, "5 nm sum", sized(mistake_size), PixelFormat::half_float);
-            cost.make = [&encoding = encoding_, job = cost.job,
-                         rival = std::shared_ptr<const Rival>(make_sum_rival(*lut_.job.light, 5))] {
-                Image<Rgb> image = encoding.to_rgb(bake_with(job, *rival));
-                store(image, [&](double value) { return encoding.stored(value, PixelFormat::half_float); });
-                return image;
-            };
-        }
+        add_coarse_sum();
         {
             CostCase& cost =
                 add(CostFamily::mistake, "8-bit sRGB texture", sized(mistake_size), PixelFormat::half_float);

@@ -7,6 +7,7 @@
 
 #include "nacre/accuracy/reference.h"
 #include "nacre/accuracy/trial.h"
+#include "nacre/bake/sampler.h"
 
 namespace nacre {
 namespace {
@@ -20,17 +21,34 @@ LutPoint spread_point(int i, bool is_2d) {
     return {part(0.5 + i * plastic), part(0.5 + i * plastic * plastic)};
 }
 
+std::size_t part_of(std::size_t count, double share) {
+    return static_cast<std::size_t>(std::ceil(share * static_cast<double>(count)));
+}
+
 }  // namespace
+
+double measured_share(const Job& job) {
+    const Mechanism mechanism = mechanism_at(job, 0.5, 0.5);
+    if (!needs_sampling(mechanism)) return 1.0;
+    // Reflectances that one colour takes, in units of what films take.
+    const double layers = expanded_layers(layer_systems(mechanism, 1).front());
+    const double fringes = fringe_count(mechanism, job.light->settings);
+    const double cost = job.sampling.realisations * std::max(1.0, layers / 100.0) * std::max(1.0, fringes / 100.0);
+    return std::clamp(1.0 / std::sqrt(cost), 1.0 / 12.0, 1.0);
+}
 
 Measured measure(const Job& job, const Image<Rgb>& stored, const Encoding& encoding,
                  std::span<const LutPoint> suspects) {
     const bool is_2d = job.y.has_value();
+    const double share = measured_share(job);
+    suspects = suspects.first(part_of(suspects.size(), share));
     std::vector<LutPoint> points(suspects.begin(), suspects.end());
     for (const double x : {0.0, 1.0}) {
         points.push_back({x, 0.0});
         if (is_2d) points.push_back({x, 1.0});
     }
-    for (int i = 0; i < spread_points; ++i) points.push_back(spread_point(i, is_2d));
+    const auto spread = static_cast<int>(part_of(spread_points, share));
+    for (int i = 0; i < spread; ++i) points.push_back(spread_point(i, is_2d));
 
     const Reference reference(job);
     const auto count = static_cast<int>(points.size());
@@ -55,6 +73,28 @@ Measured measure(const Job& job, const Image<Rgb>& stored, const Encoding& encod
     return measured;
 }
 
+namespace {
+
+// Reflectances of all texels.
+std::uint64_t samples_of(const Job& job) {
+    const auto realisations = static_cast<std::uint64_t>(job.sampling.realisations);
+    const auto texels = static_cast<std::uint64_t>(job.width) * static_cast<std::uint64_t>(job.height);
+    if (job.light->settings.wavelengths)
+        return texels * static_cast<std::uint64_t>(*job.light->settings.wavelengths) * realisations;
+    const NodeCounts counts = job.sampling.node_counts();
+    std::uint64_t sum = 0;
+    for (int row = 0; row < job.height; ++row) {
+        for (int column = 0; column < job.width; ++column) {
+            const Incidence incidence =
+                incidence_at(job, coordinate_of_texel(column, job.width), coordinate_of_texel(row, job.height));
+            sum += static_cast<std::uint64_t>(counts[band_of(incidence)]) * realisations;
+        }
+    }
+    return sum;
+}
+
+}  // namespace
+
 Work bake_work(const Job& job, std::size_t suspects) {
     Work work;
     work.texels = static_cast<std::uint64_t>(job.width) * static_cast<std::uint64_t>(job.height);
@@ -63,10 +103,10 @@ Work bake_work(const Job& job, std::size_t suspects) {
     (is_layered || wavelengths        ? work.spectra
      : job.integral == Integral::fast ? work.fast_integrals
                                       : work.exact_integrals) = work.texels;
-    const int nodes = wavelengths ? *wavelengths : job.sampling.node_count();
-    work.samples = work.spectra * static_cast<std::uint64_t>(nodes * job.sampling.realisations);
+    if (work.spectra > 0) work.samples = samples_of(job);
     const std::size_t corners = job.y ? 4 : 2;
-    work.references = suspects + corners + spread_points;
+    const double share = measured_share(job);
+    work.references = part_of(suspects, share) + corners + part_of(spread_points, share);
     return work;
 }
 

@@ -30,6 +30,21 @@ NodeRange nodes_under(const Lobe& lobe, int first_nm, int step_nm, int node_coun
     return {first, std::max(last - first + 1, 0)};
 }
 
+void add_node(double nm, const Xyz& weight, SpectralNodes& nodes) {
+    nodes.wavelength_nm.push_back(nm);
+    nodes.x.push_back(weight.x);
+    nodes.y.push_back(weight.y);
+    nodes.z.push_back(weight.z);
+    nodes.count = static_cast<int>(nodes.x.size());
+}
+
+SpectralNodes padded(SpectralNodes nodes) {
+    for (auto* weights : {&nodes.x, &nodes.y, &nodes.z}) {
+        while (weights->size() % SpectralNodes::padding != 0) weights->push_back(0.0);
+    }
+    return nodes;
+}
+
 class SumRival final : public Rival {
 public:
     SumRival(const Light& light, int step_nm) : first_nm_(light.weights.first_nm), step_nm_(step_nm) {
@@ -62,6 +77,17 @@ public:
                                          static_cast<std::size_t>(nodes.count), {std::cos(first), std::sin(first)},
                                          {std::cos(step), std::sin(step)});
         return adapt(adaptation_, {lobe.height * sum.x, lobe.height * sum.y, lobe.height * sum.z});
+    }
+
+    // What each of its wavelengths weighs.
+    SpectralNodes nodes(const Light& light) const {
+        SpectralNodes nodes;
+        const glm::dmat3 back = glm::inverse(light.adaptation) * adaptation_;
+        for (int i = 0; i < count_; ++i) {
+            const auto node = static_cast<std::size_t>(i);
+            add_node(first_nm_ + i * step_nm_, adapt(back, {x_[node], y_[node], z_[node]}), nodes);
+        }
+        return nodes;
     }
 
 private:
@@ -106,6 +132,14 @@ public:
     Xyz to_xyz(const Lobe& lobe) const override {
         return adapt(to_xyz_,
                      {lobe_reflectance(lobe, nm_[0]), lobe_reflectance(lobe, nm_[1]), lobe_reflectance(lobe, nm_[2])});
+    }
+
+    SpectralNodes nodes(const Light& light) const {
+        SpectralNodes nodes;
+        const glm::dmat3 back = glm::inverse(light.adaptation) * to_xyz_;
+        for (int i = 0; i < 3; ++i)
+            add_node(nm_[static_cast<std::size_t>(i)], {back[i][0], back[i][1], back[i][2]}, nodes);
+        return nodes;
     }
 
 private:
@@ -168,6 +202,18 @@ public:
         return adapt(adaptation_, sum);
     }
 
+    SpectralNodes nodes(const Light& light) const {
+        SpectralNodes nodes;
+        const glm::dmat3 back = glm::inverse(light.adaptation) * adaptation_;
+        for (std::size_t i = 0; i < power_.size(); ++i) {
+            const double nm = first_nm_ + static_cast<double>(i) * step_nm;
+            Xyz weight;
+            add(power_[i], nm, weight);
+            add_node(nm, adapt(back, weight), nodes);
+        }
+        return nodes;
+    }
+
 private:
     static constexpr int step_nm = 5;
 
@@ -186,6 +232,18 @@ private:
 
 std::unique_ptr<Rival> make_sum_rival(const Light& light, int step_nm) {
     return std::make_unique<SumRival>(light, step_nm);
+}
+
+SpectralNodes sum_nodes(const Light& light, int step_nm) {
+    return padded(SumRival(light, step_nm).nodes(light));
+}
+
+SpectralNodes three_wavelengths_nodes(const Light& light) {
+    return padded(ThreeWavelengthsRival().nodes(light));
+}
+
+SpectralNodes fit_nodes(const Light& light, bool single_lobe) {
+    return padded(FitRival(light, single_lobe).nodes(light));
 }
 
 std::unique_ptr<Rival> make_three_wavelengths_rival() {

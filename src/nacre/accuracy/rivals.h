@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "nacre/bake/light.h"
+#include "nacre/colour/spectral_nodes.h"
 #include "nacre/optics/lobe.h"
 
 namespace nacre {
@@ -24,6 +25,14 @@ public:
 /// A sum over every step-th nanometre of the light's range.
 /// @param step_nm  >= 1
 std::unique_ptr<Rival> make_sum_rival(const Light& light, int step_nm);
+
+/// The same for spectra that are no bands: wavelengths and what their reflectances weigh. White comes out white after
+/// the light's own adaptation.
+SpectralNodes sum_nodes(const Light& light, int step_nm);
+/// Of make_three_wavelengths_rival().
+SpectralNodes three_wavelengths_nodes(const Light& light);
+/// Of make_fit_rival().
+SpectralNodes fit_nodes(const Light& light, bool single_lobe);
 
 /// The reflectance at the dominant wavelengths of Rec.709's red, green and blue, taken as RGB: rendering in three
 /// channels. It knows neither observer nor illuminant.

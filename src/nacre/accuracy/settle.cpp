@@ -25,6 +25,10 @@ constexpr double share_of_fast = 0.02;
 
 // And what the nodes of a film's or stack's spectrum may: they err by less with every one more.
 constexpr double share_of_nodes = 0.02;
+// The model itself is looked up on a curve, which may be off by this.
+constexpr double share_of_curve = 0.005;
+// And the mean of an irregular stack, which converges slowly.
+constexpr double share_of_spread = 0.3;
 
 // Points at which integrals are compared, and slices are laid through a 2D LUT.
 constexpr int survey_columns = 65;
@@ -89,10 +93,12 @@ private:
     }
 
     void choose_nodes() {
-        ChosenSampling chosen = choose_sampling(job(), share_of_nodes * wish_.max_de00, wish_.nodes.value_or(0),
-                                                wish_.realisations.value_or(0));
+        ChosenSampling chosen =
+            choose_sampling(job(), share_of_nodes * wish_.max_de00, share_of_spread * wish_.max_de00,
+                            {wish_.nodes.value_or(NodeCounts{}), wish_.realisations.value_or(0)});
         job().sampling = chosen.sampling;
         result_.predicted.spectrum = chosen.error;
+        result_.predicted.spread = chosen.spread_error;
         result_.work.spectra += static_cast<std::uint64_t>(chosen.spectra);
     }
 
@@ -104,10 +110,14 @@ private:
         sample.height = sample.y ? survey_rows : 1;
         const Image<Xyz> colours = bake(sample, {}, &result_.work);
         scale_ = display_scale(colours);
+        if (!job().y && !samples()) {
+            curve_.emplace(job(), share_of_curve * wish_.max_de00, scale_, after_step_);
+            result_.work += curve_->work();
+        }
         if (!samples()) return;
         sample.light = without_wavelengths(sample.light);
         sample.sampling =
-            choose_sampling(sample, share_of_nodes * wish_.max_de00, 0, sample.sampling.realisations).sampling;
+            choose_sampling(sample, share_of_nodes * wish_.max_de00, 0.0, {{}, sample.sampling.realisations}).sampling;
         const Image<Xyz> truth = bake(sample, {}, &result_.work);
         for (std::size_t i = 0; i < truth.size(); ++i) {
             result_.predicted.spectrum =
@@ -155,14 +165,19 @@ private:
     // The error that a scan of a candidate may find. The model is the true integral, so the spectrum's error is in it.
     double limit() const {
         const double bound = (result_.lut.job.y ? of_bound_in_2d : of_bound_in_1d) * wish_.max_de00;
-        return is_layered() && adds_spectrum() ? bound - result_.predicted.spectrum : bound;
+        if (!is_layered() || !adds_spectrum()) return bound;
+        // A larger LUT would not help against a mean that is too rough: what it leaves is not taken beyond a half.
+        return bound - (curve_ ? share_of_curve * wish_.max_de00 : 0.0) - result_.predicted.spectrum -
+               std::min(result_.predicted.spread, 0.5 * bound);
     }
 
     Trial trial_of(const Job& at_size, const Candidate& candidate, double scale = 0.0) const {
         Job sized = at_size;
         sized.width = candidate.width;
         sized.height = candidate.height;
-        return {sized, candidate.format, encoding_, model_samples(), scale, scale_, after_step_};
+        Trial trial(sized, candidate.format, encoding_, model_samples(), scale, scale_, after_step_);
+        if (curve_ && &at_size == &result_.lut.job) trial.use_curve(&*curve_);
+        return trial;
     }
 
     void take(const Candidate& candidate) {
@@ -174,6 +189,7 @@ private:
     void take(const Candidate& candidate, const Trial& trial, Scan scan) {
         take(candidate);
         result_.predicted.total = scan.largest + (adds_spectrum() ? result_.predicted.spectrum : 0.0);
+        result_.predicted.total += result_.predicted.spread;
         result_.worst = std::move(scan.worst);
         storage_error_ = trial.storage_error();
     }
@@ -230,8 +246,8 @@ private:
             Scan scan = scan_errors(trial, judges ? limit() : std::numeric_limits<double>::infinity(), seeds_);
             result_.work += trial.work();
             if (scan.is_complete) {
-                result_.is_reached = scan.largest <= limit();
                 take(candidate, trial, std::move(scan));
+                result_.is_reached = result_.predicted.total <= wish_.max_de00;
                 return true;
             }
             remember(scan.at);
@@ -323,9 +339,12 @@ private:
             return std::to_string(*job().light->settings.wavelengths) + " wavelengths cost " +
                    error_text(split.spectrum) + ": leave wavelengths out";
         }
+        if (split.spread > split.interpolation) {
+            return std::to_string(job().sampling.realisations) + " realisations of an irregular stack cost " +
+                   error_text(split.spread) + ": give more in [accuracy] realisations";
+        }
         if (is_layered() && split.spectrum > split.interpolation) {
-            return integration_text(job()) + " cost " + error_text(split.spectrum) +
-                   ": leave nodes and realisations out, or give more";
+            return integration_text(job()) + " cost " + error_text(split.spectrum) + ": leave nodes out, or give more";
         }
         if (split.spectrum > split.interpolation)
             return "the fast integral costs " + error_text(split.spectrum) + ": use integral = \"exact\"";
@@ -342,6 +361,7 @@ private:
     SettledLut result_;
     double scale_ = 1.0;
     double storage_error_ = 0.0;
+    std::optional<ModelCurve> curve_;  // of films and stacks in 1D
     std::vector<Candidate> candidates_;
     bool is_hopeless_ = false;  // no candidate can keep the bound
     std::vector<LutPoint> seeds_;

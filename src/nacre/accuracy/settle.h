@@ -15,6 +15,7 @@ namespace nacre {
 struct ErrorSplit {
     double total = 0.0;          ///< not the sum: the worst points of the parts need not coincide
     double spectrum = 0.0;       ///< of how spectra become XYZ
+    double spread = 0.0;         ///< of an irregular stack's mean: of how many realisations it is taken
     double interpolation = 0.0;  ///< of the linear filter between exact texels
     double storage = 0.0;        ///< of the number format, at the texels
 };

@@ -33,7 +33,7 @@ Job model_of(Job job, bool sampled) {
     if (sampled || !job.light->settings.wavelengths) return job;
     job.light = without_wavelengths(job.light);
     if (needs_sampling(job.material.mechanism))
-        job.sampling = choose_sampling(job, 1e-3, 0, job.sampling.realisations).sampling;
+        job.sampling = choose_sampling(job, 1e-3, 0.0, {{}, job.sampling.realisations}).sampling;
     return job;
 }
 
@@ -92,8 +92,9 @@ Trial::Trial(const Job& job, Image<Rgb> stored, const Encoding& encoding, std::f
 
 Image<Xyz> Trial::model_at(std::span<const LutPoint> points) {
     Image<Xyz> model(static_cast<int>(points.size()), 1);
-    std::transform(points.begin(), points.end(), model.begin(),
-                   [&](LutPoint point) { return model_.at(point.x, point.y); });
+    std::transform(points.begin(), points.end(), model.begin(), [&](LutPoint point) {
+        return curve_ != nullptr ? curve_->at(point.x) : model_.at(point.x, point.y);
+    });
     return encoding_.keeps_colours ? model : encoding_.to_xyz(encoding_.to_rgb(model));
 }
 

@@ -6,6 +6,7 @@
 
 #include "nacre/accuracy/encoding.h"
 #include "nacre/accuracy/fetch.h"
+#include "nacre/accuracy/model_curve.h"
 #include "nacre/bake/bake.h"
 #include "nacre/bake/sampler.h"
 #include "nacre/colour/difference.h"
@@ -32,6 +33,9 @@ public:
     /// @param after_step      called after every row and every batch of points; what it throws ends the trial
     Trial(const Job& job, PixelFormat format, const Encoding& encoding, bool sampled_model, double scale = 0.0,
           double black_scale = 1.0, AfterRow after_step = {});
+
+    /// Takes the model's colours from a curve from now on. @param curve  of the same job; has to outlive the trial
+    void use_curve(const ModelCurve* curve) { curve_ = curve; }
 
     /// A LUT that came about in some other way.
     /// @param stored  job.width x job.height, as stored
@@ -65,6 +69,7 @@ private:
     std::function<LutPoint(LutPoint)> fetch_at_;
     double scale_;
     Sampler model_;
+    const ModelCurve* curve_ = nullptr;
     Work work_;
 };
 

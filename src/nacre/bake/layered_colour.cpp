@@ -38,25 +38,27 @@ std::vector<LayerSystem> layer_systems(const Mechanism& mechanism, int realisati
     return irregular_systems(regular, spread_nm, realisations);
 }
 
-LayeredColour::LayeredColour(const Mechanism& mechanism, SpectralSampling sampling) : sampling_(std::move(sampling)) {
-    for (const LayerSystem& system : layer_systems(mechanism, sampling_.realisations, sampling_.blurred))
-        solvers_.emplace_back(system, sampling_.nodes->wavelength_nm);
-}
+LayeredColour::LayeredColour(const Mechanism& mechanism, SpectralSampling sampling)
+    : sampling_(std::move(sampling)), systems_(layer_systems(mechanism, sampling_.realisations, sampling_.blurred)) {}
 
-Xyz LayeredColour::at(const Incidence& incidence) const {
-    const SpectralNodes& nodes = *sampling_.nodes;
+Xyz LayeredColour::at(const Incidence& incidence) {
+    const std::size_t band = band_of(incidence);
+    const SpectralNodes& nodes = *sampling_.nodes[band];
+    if (solvers_[band].empty()) {
+        for (const LayerSystem& system : systems_) solvers_[band].emplace_back(system, nodes.wavelength_nm);
+    }
     Xyz sum;
-    for (const MultilayerSolver& solver : solvers_) {
+    for (const MultilayerSolver& solver : solvers_[band]) {
         const auto [x, y, z] =
             solver.weighted_reflectances(incidence, {nodes.x.data(), nodes.y.data(), nodes.z.data()});
         sum = {sum.x + x, sum.y + y, sum.z + z};
     }
-    const double share = 1.0 / static_cast<double>(solvers_.size());
+    const double share = 1.0 / static_cast<double>(systems_.size());
     return {share * sum.x, share * sum.y, share * sum.z};
 }
 
-std::uint64_t LayeredColour::samples() const {
-    return static_cast<std::uint64_t>(sampling_.node_count()) * solvers_.size();
+std::uint64_t LayeredColour::samples(const Incidence& incidence) const {
+    return static_cast<std::uint64_t>(sampling_.nodes[band_of(incidence)]->count) * systems_.size();
 }
 
 std::vector<Response> layered_responses(const Mechanism& mechanism, const Incidence& incidence,

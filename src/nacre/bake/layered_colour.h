@@ -24,13 +24,14 @@ public:
     LayeredColour(const Mechanism& mechanism, SpectralSampling sampling);
 
     /// Before adaptation.
-    Xyz at(const Incidence& incidence) const;
-    /// Reflectances that one colour takes.
-    std::uint64_t samples() const;
+    Xyz at(const Incidence& incidence);
+    /// Reflectances that the colour at an angle takes.
+    std::uint64_t samples(const Incidence& incidence) const;
 
 private:
     SpectralSampling sampling_;
-    std::vector<MultilayerSolver> solvers_;
+    std::vector<LayerSystem> systems_;
+    std::array<std::vector<MultilayerSolver>, band_least_cos_theta.size()> solvers_;  // made when a band is asked for
 };
 
 /// What becomes of light at some wavelengths; the mean over realisations of an irregular stack.

@@ -142,7 +142,14 @@ std::string integration_text(const Job& job) {
     if (job.light->settings.wavelengths) {
         text = std::to_string(*job.light->settings.wavelengths) + " wavelengths";
     } else {
-        text = std::to_string(job.sampling.node_count()) + " nodes";
+        // The same number in all bands is said once.
+        std::string counts;
+        int last = 0;
+        for (const int count : job.sampling.node_counts()) {
+            if (count != last) counts += (counts.empty() ? "" : "/") + std::to_string(count);
+            last = count;
+        }
+        text = counts + " nodes";
     }
     if (job.sampling.realisations > 1) text += " x " + std::to_string(job.sampling.realisations);
     return text;

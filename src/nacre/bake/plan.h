@@ -56,7 +56,7 @@ struct AccuracyWish {
     std::optional<int> height;
     std::optional<PixelFormat> format;
     std::optional<Integral> integral;
-    std::optional<int> nodes;         ///< wavelengths of films and stacks
+    std::optional<NodeCounts> nodes;  ///< wavelengths of films and stacks, per band of angles
     std::optional<int> realisations;  ///< of irregular ones
 
     static constexpr double default_max_de00 = 0.1;

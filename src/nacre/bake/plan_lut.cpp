@@ -24,6 +24,23 @@ int checked_size(const Table& table, std::string_view key, const Value& value) {
     return size;
 }
 
+// One number, or one per band of angles.
+NodeCounts read_nodes(const Table& table, const Value& value) {
+    NodeCounts counts{};
+    if (!std::holds_alternative<Value::Array>(value.data)) {
+        counts.fill(table.checked_integer("nodes", value, allowed_nodes));
+        return counts;
+    }
+    const Value::Array& list = table.checked_array("nodes", value);
+    if (list.size() != counts.size()) {
+        table.fail(value.where, "nodes has " + std::to_string(list.size()) + " numbers; give one, or " +
+                                    std::to_string(counts.size()) + ": for angles up to 87.1, 89.8 and 90 degrees");
+    }
+    for (std::size_t band = 0; band < counts.size(); ++band)
+        counts[band] = table.checked_integer("nodes", list[band], allowed_nodes);
+    return counts;
+}
+
 void check_axes_differ(const Job& job, const Table& table, const Where& where) {
     if (job.x.is_angle() && job.y->is_angle())
         table.fail(where, "x and y are both the angle; one of them has to be a parameter");
@@ -124,8 +141,7 @@ AccuracySettings read_accuracy(const Table* table) {
                         "integral says how to do without wavelengths, and wavelengths is given; leave one of them out");
         }
     }
-    if (const Value* nodes = table->find("nodes"))
-        accuracy.nodes = table->checked_integer("nodes", *nodes, allowed_nodes);
+    if (const Value* nodes = table->find("nodes")) accuracy.nodes = read_nodes(*table, *nodes);
     if (accuracy.nodes && accuracy.wavelengths) {
         table->fail_at("nodes", "nodes and wavelengths both say where spectra are sampled; leave one of them out");
     }

@@ -27,7 +27,7 @@ struct AccuracySettings {
     std::optional<double> max_de00;
     std::optional<int> wavelengths;
     std::optional<Integral> integral;
-    std::optional<int> nodes;
+    std::optional<NodeCounts> nodes;
     std::optional<int> realisations;
     LutSize size;
 };

@@ -38,7 +38,7 @@ Incidence incidence_at(const Job& job, double x, double y) {
 Sampler::Sampler(const Job& job)
     : job_(job),
       mechanism_(mechanism_at(job, 0.0, 0.0)),
-      sampling_(job.sampling.nodes ? job.sampling : default_sampling(job)),
+      sampling_(job.sampling.is_decided() ? job.sampling : default_sampling(job)),
       prepared_(std::visit(Prepare{mechanism_, sampling_}, mechanism_)) {}
 
 void Sampler::set_parameters(double x, double y) {
@@ -95,9 +95,9 @@ Lobe Sampler::lobe_at(double x, double y) {
     return std::get<PaletteCurve>(prepared_).at(incidence(x, y));
 }
 
-Xyz Sampler::colour_of(const LayeredColour& colour, const Incidence& incidence) {
+Xyz Sampler::colour_of(LayeredColour& colour, const Incidence& incidence) {
     ++work_.spectra;
-    work_.samples += colour.samples();
+    work_.samples += colour.samples(incidence);
     return colour.at(incidence);
 }
 

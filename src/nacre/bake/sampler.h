@@ -32,7 +32,7 @@ private:
     void set_parameters(double x, double y);
     const Incidence& incidence(double x, double y);
     Xyz colour_of(const Lobe& lobe);
-    Xyz colour_of(const LayeredColour& colour, const Incidence& incidence);
+    Xyz colour_of(LayeredColour& colour, const Incidence& incidence);
 
     const Job& job_;
     Mechanism mechanism_;

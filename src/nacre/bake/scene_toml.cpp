@@ -15,8 +15,11 @@ std::string scene_toml(const PlannedLut& lut, const ColourSettings& colour) {
         text += "wavelengths = " + std::to_string(*job.light->settings.wavelengths) + "\n";
     } else if (!is_sampled) {
         text += "integral = " + toml_string(name_of(integral_words, job.integral)) + "\n";
-    } else if (job.sampling.nodes) {
-        text += "nodes = " + std::to_string(job.sampling.node_count()) + "\n";
+    } else if (job.sampling.is_decided()) {
+        const NodeCounts counts = job.sampling.node_counts();
+        std::string list;
+        for (const int count : counts) list += (list.empty() ? "" : ", ") + std::to_string(count);
+        text += "nodes = [" + list + "]\n";
     }
     if (is_sampled && job.sampling.realisations > 1)
         text += "realisations = " + std::to_string(job.sampling.realisations) + "\n";

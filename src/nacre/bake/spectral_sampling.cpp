@@ -2,13 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
-#include <optional>
-#include <vector>
 
 #include "nacre/bake/layered_colour.h"
 #include "nacre/bake/plan.h"
 #include "nacre/bake/sampler.h"
+#include "nacre/bake/thick_layers.h"
 #include "nacre/colour/difference.h"
 
 namespace nacre {
@@ -17,242 +15,205 @@ namespace {
 constexpr Xyz d65 = xyz_from_chromaticity(d65_chromaticity);
 
 constexpr int fewest_nodes = 16;
-constexpr int probes_along = 9;
-constexpr int probes_across = 3;
 constexpr int fewest_realisations = 32;
-constexpr int most_realisations = 2048;
-// What an irregular stack may err by, in tolerances: its mean converges slowly, and costs what it converges with.
-constexpr double irregular_share = 5.0;
 
-// Of a film or stack at one wavelength; palettes have none.
-double optical_path_nm(const LayerSystem& system, double wavelength_nm, std::size_t begin, std::size_t end) {
-    double sum = 0.0;
-    for (std::size_t i = begin; i < end; ++i) {
-        const LayerNode& node = system.nodes[i];
-        const auto members = static_cast<std::size_t>(node.count);
-        if (node.repeat > 0) {
-            sum += node.repeat * optical_path_nm(system, wavelength_nm, i + 1, i + 1 + members);
-        } else if (!node.is_incoherent) {
-            sum += node.thickness_nm * system.index_at(node.medium, wavelength_nm).real();
-        }
-        i += members;
-    }
-    return sum;
-}
+// Square roots of the cosines at which each band is probed.
+constexpr std::array<std::array<double, 6>, band_least_cos_theta.size()> probe_sqrt_cos{
+    {{1.0, 0.85, 0.7, 0.55, 0.4, 0.25}, {0.21, 0.17, 0.14, 0.11, 0.09, 0.07}, {0.06, 0.045, 0.03, 0.02, 0.01, 0.005}}};
 
-double fringes_of(const LayerSystem& system, const LightSettings& light) {
-    double path_nm = 0.0;
-    for (const int nm : {light.first_nm, (light.first_nm + light.last_nm) / 2, light.last_nm})
-        path_nm = std::max(path_nm, optical_path_nm(system, nm, 0, system.nodes.size()));
-    return 2.0 * path_nm * (1.0 / light.first_nm - 1.0 / light.last_nm);
-}
+// How many tolerances a band may err by. In a film that stands free, light that grazes it runs to and fro so often that
+// no grid resolves its fringes: there an error falls only as they are hit by more nodes.
+constexpr std::array<double, band_least_cos_theta.size()> band_patience{1.0, 3.0, 10.0};
 
-// Fringes that may be too fine to be seen: of some 16 micrometres of glass.
-constexpr double fine_fringes = 75.0;
-
-// The next count that is worth trying: steps of a third or a half.
+// The next count that is worth trying: steps of a third or a quarter.
 int next_count(int count) {
-    int power = 16;
+    int power = fewest_nodes;
     while (2 * power <= count) power *= 2;
-    for (const int quarters : {4, 5, 6, 8}) {
+    for (const int quarters : {5, 6, 8}) {
         if (power * quarters / 4 > count) return power * quarters / 4;
     }
     return 2 * power;
 }
 
+// A material, and the angles of one band at which it is looked at.
+struct Probes {
+    Mechanism mechanism;
+    std::vector<Incidence> incidences;
+};
+
 class Chooser {
 public:
-    Chooser(const Job& job) : job_(job) {
-        for (int j = 0; j < (job.y ? probes_across : 1); ++j) {
-            for (int i = 0; i < probes_along; ++i) {
-                probes_.push_back(
-                    {coordinate_of_texel(i, probes_along), job.y ? coordinate_of_texel(j, probes_across) : 0.0});
-            }
-        }
-    }
+    explicit Chooser(const Job& job) : job_(job) { place_probes(); }
 
-    ChosenSampling choose(double tolerance, int node_count, int realisations) {
+    ChosenSampling choose(double tolerance, double spread_tolerance, const SamplingWish& wish) {
         const Light& light = *job_.light;
-        blur_thick_layers(tolerance);
-        // The regular stack decides on the nodes: an irregular one is smoother.
+        chosen_.sampling.blurred = thick_layers(job_, tolerance);
         if (light.settings.wavelengths) {
-            chosen_.sampling.nodes =
-                std::make_shared<const SpectralNodes>(make_spectral_nodes(light.grid_weights, light.grid));
-        } else if (node_count > 0) {
-            choose_nodes(tolerance);
-            const std::vector<Xyz> good = colours({chosen_.sampling.nodes, 1, chosen_.sampling.blurred});
-            chosen_.sampling.nodes =
-                std::make_shared<const SpectralNodes>(make_spectral_nodes(light.weights, node_count));
-            chosen_.error = largest_difference(colours({chosen_.sampling.nodes, 1, chosen_.sampling.blurred}), good);
+            chosen_.sampling.nodes.fill(
+                std::make_shared<const SpectralNodes>(make_spectral_nodes(light.grid_weights, light.grid)));
         } else {
-            choose_nodes(tolerance);
+            // The regular stack decides on the nodes: an irregular one is smoother.
+            int fewest = fewest_nodes;
+            for (std::size_t band = 0; band < bands_.size(); ++band) {
+                choose_nodes(band, fewest, band_patience[band] * tolerance);
+                fewest = chosen_.sampling.nodes[band]->count;
+            }
+            if (wish.nodes.front() > 0) take_nodes(wish.nodes);
         }
-        const bool is_mean = std::any_of(probes_.begin(), probes_.end(), [&](const Probe& probe) {
-            return is_irregular(mechanism_at(job_, probe.x, probe.y));
-        });
-        if (is_mean && realisations > 0) take_realisations(realisations);
-        if (is_mean && realisations == 0) choose_realisations(irregular_share * tolerance);
+        const bool is_mean = std::any_of(bands_.front().begin(), bands_.front().end(),
+                                         [](const Probes& probes) { return is_irregular(probes.mechanism); });
+        if (is_mean) choose_realisations(spread_tolerance, wish.realisations);
         return std::move(chosen_);
     }
 
 private:
-    struct Probe {
-        double x;
-        double y;
-    };
+    using Colours = std::vector<Xyz>;
 
-    std::vector<Xyz> colours(const SpectralSampling& sampling) {
-        std::vector<Xyz> result;
-        for (const Probe& probe : probes_) {
-            const LayeredColour colour(mechanism_at(job_, probe.x, probe.y), sampling);
-            result.push_back(adapt(job_.light->adaptation, colour.at(incidence_at(job_, probe.x, probe.y))));
-            ++chosen_.spectra;
+    void place_probes() {
+        const bool has_angle = job_.x.is_angle() || (job_.y && job_.y->is_angle());
+        const bool x_moves = !job_.x.is_angle();
+        const bool y_moves = job_.y && !job_.y->is_angle();
+        const int along = x_moves ? (y_moves ? 5 : 9) : 1;
+        const int across = y_moves ? (x_moves ? 5 : 9) : 1;
+        for (std::size_t band = 0; band < bands_.size(); ++band) {
+            std::vector<Incidence> incidences;
+            for (const double s : probe_sqrt_cos[band]) incidences.push_back(Incidence::from_sqrt_cos(s));
+            if (!has_angle) incidences = {Incidence::from_degrees(job_.angle_deg)};
+            for (int i = 0; i < along * across; ++i) {
+                const double x = coordinate_of_texel(i % along, along);
+                bands_[band].push_back({mechanism_at(job_, x, coordinate_of_texel(i / along, across)), incidences});
+            }
+        }
+    }
+
+    Colours colours(std::size_t band, const SpectralSampling& sampling) {
+        Colours result;
+        for (const Probes& probes : bands_[band]) {
+            LayeredColour colour(probes.mechanism, sampling);
+            for (const Incidence& incidence : probes.incidences) {
+                result.push_back(adapt(job_.light->adaptation, colour.at(incidence)));
+                ++chosen_.spectra;
+            }
         }
         return result;
     }
 
-    static double largest_difference(const std::vector<Xyz>& one, const std::vector<Xyz>& other) {
-        double brightest = 0.0;
-        for (const Xyz& colour : other) brightest = std::max(brightest, colour.y);
-        if (!(brightest > 0.0)) return 0.0;
+    // At the scale of what is brightest anywhere: the first band has been seen by then.
+    double largest_difference(const Colours& one, const Colours& other) {
+        for (const Xyz& colour : other) brightest_ = std::max(brightest_, colour.y);
+        if (!(brightest_ > 0.0)) return 0.0;
         const auto lab = [&](const Xyz& colour) {
-            return to_lab({colour.x / brightest, colour.y / brightest, colour.z / brightest}, d65);
+            return to_lab({colour.x / brightest_, colour.y / brightest_, colour.z / brightest_}, d65);
         };
         double largest = 0.0;
         for (std::size_t i = 0; i < one.size(); ++i) largest = std::max(largest, ciede2000(lab(one[i]), lab(other[i])));
         return largest;
     }
 
-    // Fringes of every layer that stands alone, and what is left of the whole without it: fine ones must be so beside
-    // all the others, for two layers of one thickness have coarse beats.
-    std::vector<std::size_t> thick_layers() const {
-        LayerSystem system = layer_systems(job_.material.mechanism, 1).front();
-        std::vector<std::size_t> thick;
-        for (;;) {
-            std::size_t thickest = 0;
-            double most = 0.0;
-            for (std::size_t i = 0; i < system.nodes.size(); i += 1 + static_cast<std::size_t>(system.nodes[i].count)) {
-                if (system.nodes[i].repeat > 0 || system.nodes[i].is_incoherent) continue;
-                LayerSystem alone = system;
-                alone.nodes = {system.nodes[i]};
-                const double fringes = fringes_of(alone, job_.light->settings);
-                if (fringes <= most) continue;
-                most = fringes;
-                thickest = i;
-            }
-            const double others = fringes_of(system, job_.light->settings) - most;
-            if (most < fine_fringes || most < 3.0 * others) return thick;
-            thick.push_back(thickest);
-            system.nodes[thickest].is_incoherent = true;
-        }
+    std::shared_ptr<const SpectralNodes> nodes(int count) const {
+        return std::make_shared<const SpectralNodes>(make_spectral_nodes(job_.light->weights, count));
     }
 
-    // Held against every fringe at angles up to 60 degrees. Beyond these fringes are sharper, but none is coarser.
-    void blur_thick_layers(double tolerance) {
-        const bool moves = !job_.x.is_angle() || (job_.y && !job_.y->is_angle());
-        if (moves) return;  // a thickness that is an axis may be any
-        const Mechanism& mechanism = job_.material.mechanism;
-        std::vector<std::size_t> thick = thick_layers();
-        if (thick.empty()) return;
-        const LightSettings& light = job_.light->settings;
-        constexpr double nodes_per_fringe = 8.0;
-        constexpr int fine_nodes = 128;
-        const auto nodes_of = [&](double fringes) {
-            const int count = std::max(fine_nodes, static_cast<int>(nodes_per_fringe * fringes));
-            return std::make_shared<const SpectralNodes>(make_spectral_nodes(job_.light->weights, count));
-        };
-        const SpectralSampling sharp{nodes_of(fringe_count(mechanism, light)), 1, {}};
-        const SpectralSampling blurred{nodes_of(fringes_of(layer_systems(mechanism, 1, thick).front(), light)), 1,
-                                       thick};
-        std::vector<Xyz> seen;
-        std::vector<Xyz> meant;
-        for (const double angle_deg : {0.0, 25.0, 45.0, 60.0}) {
-            const Incidence incidence = Incidence::from_degrees(angle_deg);
-            seen.push_back(adapt(job_.light->adaptation, LayeredColour(mechanism, blurred).at(incidence)));
-            meant.push_back(adapt(job_.light->adaptation, LayeredColour(mechanism, sharp).at(incidence)));
-        }
-        if (largest_difference(seen, meant) <= tolerance) chosen_.sampling.blurred = std::move(thick);
+    SpectralSampling regular(std::shared_ptr<const SpectralNodes> nodes) const {
+        SpectralSampling sampling;
+        sampling.nodes.fill(std::move(nodes));
+        sampling.blurred = chosen_.sampling.blurred;
+        return sampling;
     }
 
-    // The first count that the one after the next agrees with.
-    void choose_nodes(double tolerance) {
+    // The first count that the next two agree with.
+    void choose_nodes(std::size_t band, int fewest, double tolerance) {
         double fringes = 0.0;
-        for (const Probe& probe : probes_)
-            fringes = std::max(
-                fringes,
-                fringes_of(layer_systems(mechanism_at(job_, probe.x, probe.y), 1, chosen_.sampling.blurred).front(),
-                           job_.light->settings));
-        int count = fewest_nodes;
+        for (const Probes& probes : bands_[band]) {
+            const auto system = layer_systems(probes.mechanism, 1, chosen_.sampling.blurred).front();
+            fringes = std::max(fringes, fringe_count(system, job_.light->settings));
+        }
+        int count = fewest;
         while (count < 2.0 * fringes && count < most_nodes) count = next_count(count);
         struct Try {
-            SpectralSampling sampling;
-            std::vector<Xyz> colours;
+            std::shared_ptr<const SpectralNodes> nodes;
+            Colours colours;
         };
         std::vector<Try> tries;
         for (;; count = next_count(count)) {
-            SpectralSampling sampling{
-                std::make_shared<const SpectralNodes>(make_spectral_nodes(job_.light->weights, count)), 1,
-                chosen_.sampling.blurred};
-            std::vector<Xyz> found = colours(sampling);
-            tries.push_back({std::move(sampling), std::move(found)});
+            const auto these = nodes(count);
+            tries.push_back({these, colours(band, regular(these))});
             if (tries.size() < 3) continue;
             const Try& candidate = tries[tries.size() - 3];
-            chosen_.error = std::max(largest_difference(candidate.colours, tries.back().colours),
-                                     largest_difference(tries[tries.size() - 2].colours, tries.back().colours));
-            chosen_.sampling.nodes = candidate.sampling.nodes;
-            if (chosen_.error <= tolerance || count >= most_nodes) return;
+            const double error = std::max(largest_difference(candidate.colours, tries.back().colours),
+                                          largest_difference(tries[tries.size() - 2].colours, tries.back().colours));
+            if (error > tolerance && count < most_nodes_of(band, fringes)) continue;
+            chosen_.sampling.nodes[band] = candidate.nodes;
+            chosen_.error = std::max(chosen_.error, error);
+            return;
         }
     }
 
-    void take_realisations(int realisations) {
-        chosen_.sampling.realisations = realisations;
-        SpectralSampling twice = chosen_.sampling;
-        twice.realisations *= 2;
-        chosen_.error += largest_difference(colours(chosen_.sampling), colours(twice));
+    // At grazing, fringes that are too sharp for any grid reflect everything but a trace.
+    static int most_nodes_of(std::size_t band, double fringes) {
+        if (band == 0) return most_nodes;
+        constexpr double per_fringe = 64.0;
+        constexpr int at_least = 16384;
+        return std::min(most_nodes, std::max(at_least, static_cast<int>(per_fringe * fringes)));
     }
 
-    void choose_realisations(double tolerance) {
+    // Counts that the user gives are held against those that would do.
+    void take_nodes(const NodeCounts& counts) {
+        chosen_.error = 0.0;
+        for (std::size_t band = 0; band < bands_.size(); ++band) {
+            const Colours good = colours(band, regular(chosen_.sampling.nodes[band]));
+            chosen_.sampling.nodes[band] = nodes(counts[band]);
+            const Colours taken = colours(band, regular(chosen_.sampling.nodes[band]));
+            chosen_.error = std::max(chosen_.error, largest_difference(taken, good));
+        }
+    }
+
+    void choose_realisations(double tolerance, int wish) {
         SpectralSampling& sampling = chosen_.sampling;
-        sampling.realisations = fewest_realisations;
-        std::vector<Xyz> some = colours(sampling);
-        double error = 0.0;
+        sampling.realisations = wish > 0 ? wish : fewest_realisations;
+        Colours some = colours(0, sampling);
         for (;; sampling.realisations *= 2) {
             SpectralSampling twice = sampling;
             twice.realisations *= 2;
-            std::vector<Xyz> more = colours(twice);
-            error = largest_difference(some, more);
-            if (error <= tolerance || sampling.realisations >= most_realisations) break;
+            Colours more = colours(0, twice);
+            chosen_.spread_error = largest_difference(some, more);
+            const bool is_enough = chosen_.spread_error <= tolerance;
+            if (wish > 0 || is_enough || sampling.realisations >= most_chosen_realisations) return;
             some = std::move(more);
         }
-        chosen_.error += error;
     }
 
     const Job& job_;
-    std::vector<Probe> probes_;
+    std::array<std::vector<Probes>, band_least_cos_theta.size()> bands_;
+    double brightest_ = 0.0;
     ChosenSampling chosen_;
 };
 
 }  // namespace
 
-double fringe_count(const Mechanism& mechanism, const LightSettings& light) {
-    return needs_sampling(mechanism) ? fringes_of(layer_systems(mechanism, 1).front(), light) : 0.0;
+std::size_t band_of(const Incidence& incidence) {
+    std::size_t band = 0;
+    while (incidence.cos_theta < band_least_cos_theta[band]) ++band;
+    return band;
 }
 
-ChosenSampling choose_sampling(const Job& job, double tolerance, int node_count, int realisations) {
+NodeCounts SpectralSampling::node_counts() const {
+    NodeCounts counts{};
+    for (std::size_t band = 0; band < counts.size(); ++band) counts[band] = nodes[band] ? nodes[band]->count : 0;
+    return counts;
+}
+
+double fringe_count(const Mechanism& mechanism, const LightSettings& light) {
+    return needs_sampling(mechanism) ? fringe_count(layer_systems(mechanism, 1).front(), light) : 0.0;
+}
+
+ChosenSampling choose_sampling(const Job& job, double tolerance, double spread_tolerance, const SamplingWish& wish) {
     if (!needs_sampling(job.material.mechanism)) return {};
-    return Chooser(job).choose(tolerance, node_count, realisations);
+    return Chooser(job).choose(tolerance, spread_tolerance, wish);
 }
 
 SpectralSampling default_sampling(const Job& job) {
-    return choose_sampling(job, 1e-3).sampling;
-}
-
-SpectralSampling finer_sampling(const Job& job) {
-    SpectralSampling finer = job.sampling;
-    if (!finer.nodes || job.light->settings.wavelengths) return finer;
-    const int count = std::min(2 * finer.node_count(), most_nodes);
-    finer.nodes = std::make_shared<const SpectralNodes>(make_spectral_nodes(job.light->weights, count));
-    return finer;
+    return choose_sampling(job, 1e-3, 0.1).sampling;
 }
 
 }  // namespace nacre

@@ -116,7 +116,7 @@ Panel bake_panel(const Job& job, const PlotArea& area) {
     sized.width = area.width;
     sized.height = job.y ? area.height : 1;
     sized.integral = Integral::fast;  // 8 bits do not see the difference
-    sized.sampling = choose_sampling(sized, 0.1).sampling;
+    sized.sampling = choose_sampling(sized, 0.1, 1.0).sampling;
     const Image<Xyz> baked = bake(sized);
     Panel panel{area.left, area.top, Image<Xyz>(area.width, area.height)};
     for (int row = 0; row < area.height; ++row) {

@@ -61,7 +61,9 @@ Wave wave_in(RefractiveIndex n, double n0, const Transverse& transverse) {
     const double u = n0 * transverse.u_per_n0;
     const double v = n0 * n0 * transverse.v_per_n0_squared;
     const double real = (n.real() - u) * (n.real() + u) - n.imag() * n.imag() + v;
-    return {n, std::sqrt(Complex(real, 2.0 * n.real() * n.imag()))};
+    const Complex q = std::sqrt(Complex(real, 2.0 * n.real() * n.imag()));
+    // A wave that runs along the layer, as the limit of one that hardly does not: admittances stay what they are.
+    return {n, q == 0.0 ? Complex(1e-100) : q};
 }
 
 // cos a and sin a, both times exp(-|Im a|).
@@ -92,8 +94,7 @@ BothPolarisations amplitudes(const Wave& above, const std::vector<Film>& films, 
         const Complex n2 = film->wave.n * film->wave.n;
         const Complex a = per_nm * film->thickness_nm * q;
         const auto [cosine, sine] = scaled_circle(a);
-        // sin a / q is regular: it tends to 2 pi d / wavelength.
-        const Complex sine_by_q = q == 0.0 ? Complex(per_nm * film->thickness_nm) : sine / q;
+        const Complex sine_by_q = sine / q;  // regular: it tends to 2 pi d / wavelength
         const Complex sine_q = sine * q;
         s.climb(cosine, sine_by_q, sine_q, a.imag());
         p.climb(cosine, n2 * sine_by_q, sine_q / n2, a.imag());

@@ -20,6 +20,7 @@ struct LayerStep {
     int first = 0;
     int last = 0;
     bool is_short = false;  ///< of a group: a few layers and nothing else
+    int growth = 0;         ///< of a layer: parts of fields grow by a factor of at most 2^growth
 };
 
 /// Layers that interfere, between two media.
@@ -34,14 +35,13 @@ struct CoherentPart {
 struct PreparedLayers {
     static constexpr std::size_t padding = 8;  ///< a multiple of every machine's lanes of double
 
-    std::size_t wavelengths = 0;  ///< padded
-    std::vector<double> per_nm;   ///< 2 pi / wavelength
-    std::vector<double> n;        ///< curves x wavelengths
+    std::size_t wavelengths = 0;               ///< padded
+    std::vector<double> quarter_turns_per_nm;  ///< of phase, in vacuum: 4 / wavelength
+    std::vector<double> n;                     ///< curves x wavelengths
     std::vector<double> k;
     std::vector<Medium> media;
     std::vector<char> is_lossless;    ///< per medium
     std::vector<char> is_dispersive;  ///< per medium: whether anything about it depends on the wavelength
-    std::vector<char> is_layer;       ///< per medium: whether some layer is made of it
     std::vector<double> least_n;      ///< per medium: the smallest n at any wavelength
     double largest_n0 = 0.0;          ///< of the incident medium
     int incident = 0;

@@ -22,7 +22,7 @@ public:
         for (std::size_t i = begin; i < end; ++i) {
             const LayerNode& node = nodes_[i];
             if (node.repeat > 0) groups.emplace_back(steps_.size(), i);
-            steps_.push_back({node.thickness_nm, node.medium, node.repeat, 0, 0, false});
+            steps_.push_back({node.thickness_nm, node.medium, node.repeat, 0, 0, false, 0});
             i += static_cast<std::size_t>(node.count);
         }
         const auto last = static_cast<int>(steps_.size());
@@ -60,15 +60,42 @@ void split_into_parts(const LayerSystem& system, PreparedLayers& prepared) {
             continue;
         }
         close(i, node.medium);
-        prepared.incoherent.push_back({node.thickness_nm, node.medium, 0, 0, 0, false});
+        prepared.incoherent.push_back({node.thickness_nm, node.medium, 0, 0, 0, false, 0});
     }
     close(system.nodes.size(), system.substrate);
+}
+
+// Bounds on the entries of layers' matrices: cos a, sin a / q, q sin a, and the latter two times and over n^2.
+// @param least_norm, largest_norm  |n|^2 of every curve
+void set_growths(const std::vector<double>& least_norm, const std::vector<double>& largest_norm,
+                 std::span<const double> wavelength_nm, PreparedLayers& prepared) {
+    double least_nm = std::numeric_limits<double>::infinity();
+    for (const double nm : wavelength_nm) least_nm = std::min(least_nm, nm);
+    const double n0_squared = prepared.largest_n0 * prepared.largest_n0;
+    for (LayerStep& step : prepared.steps) {
+        if (step.repeat > 0) continue;
+        const Medium& medium = prepared.media[static_cast<std::size_t>(step.medium)];
+        const auto curve = static_cast<std::size_t>(medium.curve);
+        const auto other = medium.share == 0.0 ? curve : static_cast<std::size_t>(medium.other);
+        const double least = std::min(least_norm[curve], least_norm[other]);
+        const double largest = std::max(largest_norm[curve], largest_norm[other]);
+        const double q = std::sqrt(largest + n0_squared);
+        const double path = 2.0 * std::numbers::pi * step.thickness_nm / least_nm;
+        const double entry = std::max({1.0, path, path * largest, q, q / least});
+        // A field is a sum of two products of at most two parts each, and a scale is off by a factor of less than 2;
+        // a mixture may be smaller than either of its materials, by another.
+        constexpr double sums = 4.0;
+        constexpr double most = 50.0;  // is a size of 1e15, and there are at most four layers between two looks
+        step.growth = static_cast<int>(std::min(std::ceil(std::log2(entry)) + sums, most));
+    }
 }
 
 void sample_indices(const LayerSystem& system, std::span<const double> wavelength_nm, PreparedLayers& prepared) {
     std::vector<double> least(system.curves.size(), std::numeric_limits<double>::infinity());
     std::vector<double> largest(system.curves.size(), 0.0);
     std::vector<char> lossless(system.curves.size(), 1);
+    std::vector<double> least_norm = least;
+    std::vector<double> largest_norm = largest;
     for (std::size_t curve = 0; curve < system.curves.size(); ++curve) {
         for (const double nm : wavelength_nm) {
             const RefractiveIndex index = system.curves[curve].at(nm);
@@ -77,6 +104,8 @@ void sample_indices(const LayerSystem& system, std::span<const double> wavelengt
             least[curve] = std::min(least[curve], index.real());
             largest[curve] = std::max(largest[curve], index.real());
             if (index.imag() != 0.0) lossless[curve] = 0;
+            least_norm[curve] = std::min(least_norm[curve], std::norm(index));
+            largest_norm[curve] = std::max(largest_norm[curve], std::norm(index));
         }
     }
     for (const Medium& medium : system.media) {
@@ -93,10 +122,7 @@ void sample_indices(const LayerSystem& system, std::span<const double> wavelengt
                                          !system.curves[static_cast<std::size_t>(medium.other)].is_constant() ||
                                          !system.curves[incident].is_constant());
     }
-    prepared.is_layer.assign(system.media.size(), 0);
-    for (const LayerNode& node : system.nodes) {
-        if (node.repeat == 0) prepared.is_layer[static_cast<std::size_t>(node.medium)] = 1;
-    }
+    set_growths(least_norm, largest_norm, wavelength_nm, prepared);
 }
 
 }  // namespace
@@ -107,12 +133,12 @@ MultilayerSolver::MultilayerSolver(const LayerSystem& system, std::span<const do
     std::vector<double> padded(wavelengths_nm.begin(), wavelengths_nm.end());
     while (padded.size() % PreparedLayers::padding != 0) padded.push_back(padded.back());
     prepared->wavelengths = padded.size();
-    for (const double nm : padded) prepared->per_nm.push_back(2.0 * std::numbers::pi / nm);
+    for (const double nm : padded) prepared->quarter_turns_per_nm.push_back(4.0 / nm);
     prepared->media = system.media;
     prepared->incident = system.incident;
     prepared->substrate = system.substrate;
-    sample_indices(system, padded, *prepared);
     split_into_parts(system, *prepared);
+    sample_indices(system, padded, *prepared);
     prepared_ = std::move(prepared);
 }
 

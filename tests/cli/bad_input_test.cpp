@@ -58,7 +58,8 @@ const std::vector<Mistake> mistakes{
      ":5:12 [lut.a]: material is 2 bytes with control characters among them; allowed is plain text of up to 4096 "
      "bytes"},
     {"MisspeltBound", scene("[accuracy]\nmax_de2000 = 0.1\n"),
-     ":5:1 [accuracy]: unknown key \"max_de2000\"; known: max_de00, wavelengths, integral, size"},
+     ":5:1 [accuracy]: unknown key \"max_de2000\"; known: max_de00, wavelengths, integral, nodes, realisations, "
+     "size"},
     {"BoundOfNothing", scene("[accuracy]\nmax_de00 = 0\n"),
      ":5:12 [accuracy]: max_de00 = 0 is out of range; allowed [1e-05, 100]"},
     {"BoundThatIsNoNumber", scene("[accuracy]\nmax_de00 = \"small\"\n"),
@@ -90,8 +91,8 @@ const std::vector<Mistake> mistakes{
      ":2:9 [material.beetle]: picks[0] and picks[1] are different colours at one angle, 0 degrees; allowed are angles "
      "at "
      "least 1e-09 degrees apart"},
-    {"UnknownMechanism", "[material.m]\nmechanism = \"stack\"\n",
-     ":2:13 [material.m]: unknown mechanism \"stack\"; known: palette"},
+    {"UnknownMechanism", "[material.m]\nmechanism = \"stuck\"\n",
+     ":2:13 [material.m]: unknown mechanism \"stuck\"; known: palette, film, stack"},
     {"UnknownIlluminant", scene("[light]\nilluminant = \"D66\"\n"),
      ":5:14 [light]: unknown illuminant \"D66\"; known: D65, D50, D55, D75, A, E, FL2, FL7, FL11, or the name of a "
      ".csv file "

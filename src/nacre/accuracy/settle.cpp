@@ -246,8 +246,11 @@ private:
             Scan scan = scan_errors(trial, judges ? limit() : std::numeric_limits<double>::infinity(), seeds_);
             result_.work += trial.work();
             if (scan.is_complete) {
+                const bool fits = scan.largest <= limit();
                 take(candidate, trial, std::move(scan));
-                result_.is_reached = result_.predicted.total <= wish_.max_de00;
+                // The mean of an irregular stack may be too rough for any LUT.
+                result_.is_reached =
+                    fits && (result_.predicted.spread == 0.0 || result_.predicted.total <= wish_.max_de00);
                 return true;
             }
             remember(scan.at);

@@ -202,7 +202,7 @@ TEST(Settle, KeepsToWhatTheSceneInsistsOn) {
     EXPECT_EQ(choice_of(settle(lut, encoding)), (Choice{200, 1, single}));
     lut.wish.integral = Integral::exact;
     EXPECT_EQ(settle(lut, encoding).lut.job.integral, Integral::exact);
-    lut.wish = {0.5, true, true, {}, {}, single, {}};
+    lut.wish = {0.5, true, true, {}, {}, single, {}, {}, {}};
     const SettledLut in_float = settle(lut, encoding);
     EXPECT_EQ(in_float.lut.format, single);
     expect_the_cheapest(lut, "in float");
@@ -211,12 +211,12 @@ TEST(Settle, KeepsToWhatTheSceneInsistsOn) {
     plane.wish.width = 48;
     const SettledLut of_width = settle(plane, encoding);
     EXPECT_EQ(of_width.lut.job.width, 48);
-    plane.wish = {3.0, true, true, {}, 24, {}, {}};
+    plane.wish = {3.0, true, true, {}, 24, {}, {}, {}, {}};
     const SettledLut of_height = settle(plane, encoding);
     EXPECT_EQ(of_height.lut.job.height, 24);
     EXPECT_TRUE(of_height.is_reached);
     EXPECT_EQ(of_height.lut.job.width & (of_height.lut.job.width - 1), 0) << "a power of two";
-    plane.wish = {3.0, false, false, 5, 7, single, {}};
+    plane.wish = {3.0, false, false, 5, 7, single, {}, {}, {}};
     EXPECT_EQ(choice_of(settle(plane, encoding)), (Choice{5, 7, single}));
 }
 
@@ -295,7 +295,7 @@ TEST(Settle, ThatWavelengthsCannotReachSaysWhatTheyCost) {
     EXPECT_GT(settled.work.spectra, 0U);
 
     // A scene that insists on its wavelengths is judged by what the LUT adds to them.
-    lut.wish = {0.5, false, false, {}, {}, {}, {}};
+    lut.wish = {0.5, false, false, {}, {}, {}, {}, {}, {}};
     const SettledLut insisted = settle(lut, encoding);
     EXPECT_TRUE(insisted.is_reached);
     Job sampled = insisted.lut.job;
@@ -348,7 +348,7 @@ TEST(Settle, WithoutAWayBackToXyzRefusesABoundAndElseTakesDefaults) {
     PlannedLut plane = wished_lut(width_plane(), 0.1);
     plane.wish.is_binding = plane.wish.has_bound = false;
     EXPECT_EQ(choice_of(settle(plane, one_way)), (Choice{256, 64, half}));
-    plane.wish = {0.1, false, false, 100, {}, single, Integral::fast};
+    plane.wish = {0.1, false, false, 100, {}, single, Integral::fast, {}, {}};
     EXPECT_EQ(choice_of(settle(plane, one_way)), (Choice{100, 64, single}));
     EXPECT_EQ(settle(plane, one_way).lut.job.integral, Integral::fast);
 }

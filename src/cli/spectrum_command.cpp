@@ -109,6 +109,15 @@ private:
         throw Error(where + ": angle " + number_text(angle_deg) + " is out of range; allowed [0, 90] degrees");
     }
 
+    static void check_known(const Point& point, const std::string& where) {
+        const auto unknown = unknown_at(point.material->mechanism, point.wavelength_nm);
+        if (!unknown) return;
+        throw Error(where + ": wavelength " + point.wavelength_text + " nm lies outside what is known of " +
+                    (unknown->name.empty() ? "an index" : in_quotes(unknown->name)) + " in material " +
+                    in_quotes(point.material->name) + "; allowed [" + number_text(unknown->first_nm) + ", " +
+                    number_text(unknown->last_nm) + "] nm");
+    }
+
     std::vector<Point> points_of_options() const {
         std::vector<std::string> names = options_.materials;
         if (names.empty()) {
@@ -149,6 +158,7 @@ private:
                     throw Error(where + ": wavelength " + row.fields[2] + " is out of range; allowed (0, " +
                                 number_text(longest_wavelength_nm) + "] nm");
                 }
+                check_known(point, where);
             }
             points.push_back(std::move(point));
         }
@@ -219,8 +229,12 @@ Command add_spectrum_command(CLI::App& app) {
         ->excludes("--angle");
     app.add_flag("--xyz", options->xyz, "X, Y, Z under the scene's light instead, before and after adaptation to D65");
     app.footer(
-        "\nThe exact model, no LUT in between. A palette is opaque: its T is 0, and s and p are alike.\n\n"
-        "Example:\n  nacre spectrum configs/scenes/morpho.toml --material morpho --angle 0 20 40\n");
+        "\nThe exact model, no LUT in between. A palette is opaque: its T is 0, and s and p are alike. Films and stacks\n"
+        "reflect and let through; what is missing to 1 is absorbed. Columns R_s, R_p, R are reflectances of the two\n"
+        "polarisations and of unpolarised light.\n\n"
+        "Examples:\n"
+        "  nacre spectrum configs/scenes/morpho.toml --material morpho --angle 0 20 40\n"
+        "  nacre spectrum configs/scenes/soap_film.toml --material soap_film --points points.csv\n");
     return [options](Console& console) { return SpectrumRun(*options, console).run(); };
 }
 

@@ -206,8 +206,12 @@ private:
         const int narrowest = is_2d && !wish_.width ? smallest_side(true) : 2;
         const int lowest = is_2d && !wish_.height ? smallest_side(false) : 2;
         candidates_ = candidates_from(wish_, is_2d, narrowest, lowest, 0, most_settled_texels);
-        is_hopeless_ = candidates_.empty();
+        is_hopeless_ = candidates_.empty() || is_tired();
         if (!is_hopeless_) return;
+        if (is_tired()) {
+            candidates_ = candidates_from(wish_, is_2d, 2, 2, 1 << 11, 1 << 13);
+            return;
+        }
         // Not even the least is little enough: one of the large ones, whatever its shape, is the best there is.
         candidates_ = candidates_from(wish_, is_2d, 2, 2, most_settled_texels / 4, most_settled_texels);
     }
@@ -228,7 +232,7 @@ private:
 
     int smallest_1d(const Job& slice, int from) {
         std::vector<LutPoint> failed;
-        for (int size = from; size < largest_lut_size; size *= 2) {
+        for (int size = from; size < largest_lut_size && !is_tired(); size *= 2) {
             Trial trial = trial_of(slice, {size, 1, PixelFormat::single_float}, scale_);
             const Scan scan = scan_errors(trial, limit(), failed);
             result_.work += trial.work();
@@ -242,6 +246,7 @@ private:
         if (is_hopeless_) return false;
         const bool judges = wish_.has_bound || candidates_.size() > 1;
         for (const Candidate& candidate : candidates_) {
+            if (is_tired()) return false;
             Trial trial = trial_of(job(), candidate);
             Scan scan = scan_errors(trial, judges ? limit() : std::numeric_limits<double>::infinity(), seeds_);
             result_.work += trial.work();
@@ -259,16 +264,24 @@ private:
     }
 
     // A larger one takes seconds, which is too long for an answer that nobody wanted.
-    static bool is_quickly_judged(const Candidate& candidate) {
+    bool is_quickly_judged(const Candidate& candidate) const {
         constexpr std::int64_t most_texels = 1 << 20;
-        return candidate.texels() <= most_texels;
+        constexpr std::int64_t most_texels_when_tired = 1 << 13;
+        return candidate.texels() <= (is_tired() ? most_texels_when_tired : most_texels);
+    }
+
+    // After so many reflectances of films and stacks, some ten seconds, the search is for the best of what is small.
+    bool is_tired() const {
+        constexpr std::uint64_t most_samples = 1'000'000'000;
+        return result_.work.samples > most_samples;
     }
 
     // The least error there is; of sizes that are equally good to 5 % the smallest.
     void find_best() {
         result_.is_reached = false;
         std::optional<double> least;
-        const bool any_is_small = std::any_of(candidates_.begin(), candidates_.end(), is_quickly_judged);
+        const bool any_is_small = std::any_of(candidates_.begin(), candidates_.end(),
+                                              [&](const Candidate& candidate) { return is_quickly_judged(candidate); });
         for (auto candidate = candidates_.rbegin(); candidate != candidates_.rend(); ++candidate) {
             if (any_is_small && !is_quickly_judged(*candidate)) continue;
             Trial trial = trial_of(job(), *candidate);
@@ -351,6 +364,10 @@ private:
         }
         if (split.spectrum > split.interpolation)
             return "the fast integral costs " + error_text(split.spectrum) + ": use integral = \"exact\"";
+        if (is_tired()) {
+            return "interpolation between " + size_text(job()) + " texels costs " + error_text(split.interpolation) +
+                   ", and it takes too long to try more: give a larger bound, or size";
+        }
         const bool is_free = !wish_.width && (!job().y || !wish_.height);
         return "interpolation between " + size_text(job()) + " texels costs " + error_text(split.interpolation) +
                (is_free ? ", and " + std::to_string(job().y ? most_settled_texels : largest_lut_size) +

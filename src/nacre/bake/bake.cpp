@@ -34,6 +34,15 @@ std::vector<Response> responses_at(const Mechanism& mechanism, const Incidence& 
     return std::visit(ResponsesAt{mechanism, incidence, wavelengths_nm}, mechanism);
 }
 
+std::shared_ptr<const IndexCurve> unknown_at(const Mechanism& mechanism, double wavelength_nm) {
+    if (!needs_sampling(mechanism)) return nullptr;
+    for (const Index& index : layer_systems(mechanism, 1).front().curves) {
+        if (index.is_constant() || index.curve->holds_outside) continue;
+        if (wavelength_nm < index.curve->first_nm || wavelength_nm > index.curve->last_nm) return index.curve;
+    }
+    return nullptr;
+}
+
 Response response_at(const Mechanism& mechanism, const Incidence& incidence, double wavelength_nm) {
     return responses_at(mechanism, incidence, {&wavelength_nm, 1}).front();
 }

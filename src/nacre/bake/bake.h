@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -22,6 +23,9 @@ std::vector<Response> responses_at(const Mechanism& mechanism, const Incidence& 
                                    std::span<const double> wavelengths_nm);
 /// The same at one.
 Response response_at(const Mechanism& mechanism, const Incidence& incidence, double wavelength_nm);
+
+/// The first material of a mechanism that is not known at a wavelength; null if all are.
+std::shared_ptr<const IndexCurve> unknown_at(const Mechanism& mechanism, double wavelength_nm);
 
 inline constexpr int spectrum_realisations = 1024;
 

@@ -143,9 +143,9 @@ void check_formula(const Table& table, const IndexCurve& curve, double first_nm,
                                     static_cast<double>(i) / places);
         const double n = curve.at(nm).real();
         if (n >= allowed_n.low && n <= allowed_n.high) continue;
-        table.fail(table.where(), "the formula gives n = " + number_text(n) + " at " + number_text(nm) +
-                                      " nm; allowed " + number_text(allowed_n.low) + " to " +
-                                      number_text(allowed_n.high));
+        const std::string what = std::isfinite(n) ? "n = " + number_text(n) : "no real n";
+        table.fail(table.where(), "the formula gives " + what + " at " + number_text(nm) + " nm; allowed is n from " +
+                                      number_text(allowed_n.low) + " to " + number_text(allowed_n.high));
     }
 }
 
@@ -218,6 +218,11 @@ Index IndexReader::read_material(const Table& table, std::string_view key, const
 }
 
 Index IndexReader::read_table(const Table& table, std::string_view key) const {
+    // So that a misspelling is answered with all of them.
+    for (const std::string_view known : {"n", "k", "material", "cauchy", "sellmeier", "formula", "coefficients",
+                                         "wavelength_nm", "k_wavelength_nm", "range_nm", "outside", "name"}) {
+        table.know(known);
+    }
     const bool holds_outside = read_outside(table);
     if (const Value* material = table.find("material")) {
         Index index = read_material(table, "material", *material, holds_outside);

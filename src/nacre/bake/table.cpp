@@ -12,8 +12,15 @@ namespace {
 
 constexpr std::size_t longest_text = 4096;
 
+// Whole numbers in full: "100000" where number_text() has "1e+05".
+std::string limit_text(double limit) {
+    constexpr double longest = 1e7;
+    return limit == std::floor(limit) && std::abs(limit) <= longest ? std::to_string(static_cast<int>(limit))
+                                                                    : number_text(limit);
+}
+
 std::string interval_text(const Allowed& allowed) {
-    std::string text = "[" + number_text(allowed.low) + ", " + number_text(allowed.high) + "]";
+    std::string text = "[" + limit_text(allowed.low) + ", " + limit_text(allowed.high) + "]";
     if (!allowed.unit.empty()) text += " " + std::string(allowed.unit);
     return text;
 }
@@ -52,8 +59,12 @@ void Table::add(std::string key, Where key_where, Value value) {
     entries_.push_back({std::move(key), std::move(key_where), std::move(value), false});
 }
 
-const Value* Table::find(std::string_view key) const {
+void Table::know(std::string_view key) const {
     if (std::find(asked_.begin(), asked_.end(), key) == asked_.end()) asked_.emplace_back(key);
+}
+
+const Value* Table::find(std::string_view key) const {
+    know(key);
     const auto found = index_.find(key);
     if (found == index_.end()) return nullptr;
     const Entry& entry = entries_[found->second];

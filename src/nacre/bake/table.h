@@ -69,6 +69,9 @@ public:
     /// The value, which then counts as read; null if there is none.
     const Value* find(std::string_view key) const;
 
+    /// Makes a key one of those that a misspelling is answered with, without reading it.
+    void know(std::string_view key) const;
+
     double number(std::string_view key, const Allowed& allowed) const;
     double number_or(std::string_view key, const Allowed& allowed, double otherwise) const;
     int integer_or(std::string_view key, const Allowed& allowed, int otherwise) const;

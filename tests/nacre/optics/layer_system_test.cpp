@@ -42,7 +42,8 @@ void walk(const LayerSystem& system, std::size_t begin, std::size_t end, std::ve
     for (std::size_t i = begin; i < end; ++i) {
         const LayerNode& node = system.nodes[i];
         const auto members = static_cast<std::size_t>(node.count);
-        if (node.repeat == 0) met.push_back({system.index_at(node.medium, 500.0), node.thickness_nm, node.is_incoherent});
+        if (node.repeat == 0)
+            met.push_back({system.index_at(node.medium, 500.0), node.thickness_nm, node.is_incoherent});
         for (int time = 0; time < node.repeat; ++time) walk(system, i + 1, i + 1 + members, met);
         i += members;
     }
@@ -109,10 +110,10 @@ TEST(LayerSystem, LayersAreCountedWithAllTheirRepeats) {
     ASSERT_EQ(system.nodes.size(), 7u);
     EXPECT_EQ(system.nodes[1].count, 4) << "the inner group and its members belong to it";
     EXPECT_EQ(system.nodes[3].count, 2);
-    const std::vector<Layer> layers{layer_of(1.3, 10.0),
-                                    group_of(100000, {layer_of(2.0, 10.0),
-                                                      group_of(100000, {layer_of(1.4, 1.0), layer_of(1.6, 1.0)})}),
-                                    layer_of(1.3, 10.0)};
+    const std::vector<Layer> layers{
+        layer_of(1.3, 10.0),
+        group_of(100000, {layer_of(2.0, 10.0), group_of(100000, {layer_of(1.4, 1.0), layer_of(1.6, 1.0)})}),
+        layer_of(1.3, 10.0)};
     EXPECT_EQ(expanded_layers(layers), expanded_layers(system));
     EXPECT_EQ(layer_system(Stack{1.0, layers, 1.5}).nodes, system.nodes);
 }
@@ -172,8 +173,8 @@ TEST(LayerSystem, GradingBelongsToTheInnermostGroup) {
     twice.insert(twice.end(), once.begin(), once.end());
     EXPECT_EQ(met, twice);
     // A graded group repeats a plain one: that is the same every time.
-    const auto other = met_by_light(
-        layer_system(Stack{1.0, {group_of(3, {film, group_of(2, {layer_of(1.0, 50.0)})})}, 1.0}));
+    const auto other =
+        met_by_light(layer_system(Stack{1.0, {group_of(3, {film, group_of(2, {layer_of(1.0, 50.0)})})}, 1.0}));
     ASSERT_EQ(other.size(), 9u);
     for (std::size_t i = 0; i < 3; ++i) {
         EXPECT_EQ(other[3 * i], once[i]);

@@ -181,7 +181,8 @@ TEST(Multilayer, LightTunnelsThroughAThinGapOfAir) {
 
 TEST(Multilayer, AtNinetyDegreesEverythingIsReflected) {
     for (const Index& substrate : {Index(1.5), Index(RefractiveIndex(0.2, 3.4))}) {
-        for (const Response& r : both(coated(1.0, 1.38, 100.0, substrate), 90.0)) expect_near(r, {1, 1, 0, 0}, 1e-15, "");
+        for (const Response& r : both(coated(1.0, 1.38, 100.0, substrate), 90.0))
+            expect_near(r, {1, 1, 0, 0}, 1e-15, "");
     }
 }
 
@@ -324,7 +325,8 @@ void allow_instruction_sets(std::int64_t targets) {
 
 TEST(Multilayer, EveryInstructionSetGivesTheTwinsNumbers) {
     // In no order, and no multiple of any register.
-    const std::vector<double> wavelengths_nm{700.0, 380.0, 555.5, 830.0, 360.0, 481.25, 640.0, 399.9, 511.0, 777.0, 420.0};
+    const std::vector<double> wavelengths_nm{700.0, 380.0, 555.5, 830.0, 360.0, 481.25,
+                                             640.0, 399.9, 511.0, 777.0, 420.0};
     std::vector<Response> responses(wavelengths_nm.size());
     const std::vector<std::int64_t> targets = hwy::SupportedAndGeneratedTargets();
     ASSERT_GE(targets.size(), 1u);

@@ -1,0 +1,345 @@
+// The accuracy contract of films and stacks, judged by a second road: what `nacre bake --accuracy DE` writes is fetched
+// as a shader would, between texels too, and compared with tests/reference/dense_layers.h, which shares no line with
+// src/. NACRE_ACCURACY_SWEEP=1 takes all random scenes, NACRE_ACCURACY_SWEEP=0 a few, so that sanitizers end in
+// seconds.
+#include <OpenImageIO/imageio.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cmath>
+#include <complex>
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <iostream>
+#include <map>
+#include <numbers>
+#include <optional>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "reference/dense_layers.h"
+#include "reference/dense_model.h"
+#include "reference/random_layers.h"
+#include "support/program.h"
+
+namespace nacre::test {
+namespace {
+
+using reference::BoundedLayers;
+using reference::DenseLayers;
+using reference::LayersModel;
+using reference::ModelLab;
+using reference::ModelRgb;
+using reference::ModelXyz;
+using reference::Pixels;
+
+// The program measures at fewer points than all: a random one may err more than the worst that it met, by a little.
+constexpr double share_beyond_reached = 1.05;
+// Digits of the header, and what the judge's own sum may err by.
+constexpr double judges_share = 0.02;
+
+std::size_t scene_count() {
+    const char* sweep = std::getenv("NACRE_ACCURACY_SWEEP");
+    if (sweep != nullptr && std::string(sweep) == "0") return 6;
+    if (sweep != nullptr && std::string(sweep) == "1") return reference::random_layers_count;
+    return 24;
+}
+
+// ---- What the program wrote ----
+
+struct WrittenLut {
+    Pixels pixels;
+    double reached = 0.0;
+    bool is_half = true;
+};
+
+std::optional<WrittenLut> read_exr(const std::filesystem::path& path) {
+    const auto input = OIIO::ImageInput::open(path.string());
+    if (!input || input->spec().nchannels != 3) return std::nullopt;
+    const OIIO::ImageSpec& spec = input->spec();
+    std::vector<float> values(static_cast<std::size_t>(spec.width) * static_cast<std::size_t>(spec.height) * 3);
+    if (!input->read_image(0, 0, 0, 3, OIIO::TypeDesc::FLOAT, values.data())) return std::nullopt;
+    WrittenLut lut{{spec.width, spec.height, {}}, -1.0, spec.format == OIIO::TypeDesc::HALF};
+    for (std::size_t i = 0; i < values.size(); i += 3)
+        lut.pixels.rgb.push_back({values[i], values[i + 1], values[i + 2]});
+    const std::string reached(spec.get_string_attribute("nacre:accuracyReached"));
+    if (!reached.empty()) lut.reached = std::strtod(reached.c_str(), nullptr);
+    return lut;
+}
+
+// ---- A shader's fetch: texel centres, linear filter, clamped ----
+
+struct Tap {
+    int low = 0, high = 0;
+    double share = 0.0;  // of the high one
+};
+
+Tap tap_at(double coordinate, int size) {
+    const double texcoord = (coordinate * (size - 1) + 0.5) / size;
+    const double position = texcoord * size - 0.5;
+    const double low = std::floor(position);
+    const auto clamped = [&](double texel) { return static_cast<int>(std::clamp(texel, 0.0, size - 1.0)); };
+    return {clamped(low), clamped(low + 1.0), position - low};
+}
+
+ModelRgb fetch(const Pixels& lut, double x, double y) {
+    const Tap across = tap_at(x, lut.width), down = tap_at(y, lut.height);
+    ModelRgb rgb{};
+    for (std::size_t c = 0; c < 3; ++c) {
+        const auto row = [&](int r) {
+            return (1.0 - across.share) * lut.at(across.low, r)[c] + across.share * lut.at(across.high, r)[c];
+        };
+        rgb[c] = (1.0 - down.share) * row(down.low) + down.share * row(down.high);
+    }
+    return rgb;
+}
+
+double scale_of(const Pixels& lut) {
+    double brightest = 0.0;
+    for (const ModelRgb& rgb : lut.rgb) brightest = std::max(brightest, reference::from_rec709(rgb).y);
+    return brightest > 0.0 ? 1.0 / brightest : 1.0;
+}
+
+ModelLab scaled_lab(const ModelXyz& colour, double scale) {
+    return reference::lab_of({scale * colour.x, scale * colour.y, scale * colour.z});
+}
+
+// ---- The judge ----
+
+struct Point {
+    double x = 0.0, y = 0.0, error = 0.0;
+};
+
+class Judge {
+public:
+    Judge(const WrittenLut& lut, const BoundedLayers& scene)
+        : lut_(lut.pixels), model_(scene.model), scale_(scale_of(lut.pixels)) {
+        tolerance_ = 0.5 * judges_share * scene.max_de00;
+    }
+
+    // Random coordinates, a third of them towards grazing; the cells in which total reflection begins; and then the
+    // neighbourhood of the worst.
+    Point worst(double operations) {
+        const auto count = static_cast<int>(std::clamp(operations / model_.cost(), 24.0, 400.0));
+        std::vector<Point> points{look(0.0, random()), look(1.0, random())};
+        for (int i = 0; i < count; ++i) points.push_back(look(i % 3 == 0 ? 0.3 * random() : random(), random()));
+        for (const double x : critical()) {
+            for (const double cells : {-0.5, -0.2, -0.05, 0.0, 0.05, 0.2, 0.5})
+                points.push_back(look(std::clamp(x + cells / lut_.width, 0.0, 1.0), random()));
+        }
+        std::sort(points.begin(), points.end(), [](const Point& a, const Point& b) { return a.error > b.error; });
+        Point worst = points.front();
+        for (std::size_t i = 0; i < 4; ++i) {
+            for (int k = 0; k < std::max(2, count / 16); ++k) {
+                const double step_x = (random() - 0.5) / lut_.width, step_y = (random() - 0.5) / lut_.height;
+                const Point near =
+                    look(std::clamp(points[i].x + step_x, 0.0, 1.0), std::clamp(points[i].y + step_y, 0.0, 1.0));
+                if (near.error > worst.error) worst = near;
+            }
+        }
+        return worst;
+    }
+
+    std::size_t unsettled() const { return model_.unsettled(); }
+
+private:
+    // At most so many, spread evenly.
+    std::vector<double> critical() const {
+        constexpr std::size_t most = 6;
+        const std::vector<double> all = model_.critical_coordinates();
+        if (all.size() <= most) return all;
+        std::vector<double> some;
+        for (std::size_t i = 0; i < most; ++i) some.push_back(all[i * (all.size() - 1) / (most - 1)]);
+        return some;
+    }
+    Point look(double x, double y) const {
+        const ModelLab fetched = scaled_lab(reference::from_rec709(fetch(lut_, x, y)), scale_);
+        const ModelLab exact = scaled_lab(model_.at(x, y, tolerance_, scale_), scale_);
+        return {x, y, reference::ciede2000(fetched, exact)};
+    }
+    // Weyl's sequence of the golden ratio's relatives would hit texels in step: a plain generator (Knuth, MMIX) does
+    // not.
+    double random() {
+        state_ = state_ * 6364136223846793005U + 1442695040888963407U;
+        return static_cast<double>(state_ >> 11U) * 0x1p-53;
+    }
+
+    const Pixels& lut_;
+    DenseLayers model_;
+    double scale_ = 1.0, tolerance_ = 0.0;
+    std::uint64_t state_ = 20260;
+};
+
+struct Tally {
+    std::size_t luts = 0, refused = 0, violations = 0, unsettled = 0;
+    double worst_share = 0.0, worst_of_reached = 0.0;
+    std::string worst_name, worst_of_reached_name;
+};
+
+void judge(const std::filesystem::path& folder, const BoundedLayers& scene, Tally& tally) {
+    const std::string& name = scene.model.name;
+    SCOPED_TRACE("max_de00 " + std::to_string(scene.max_de00) + "\n" + reference::scene_text(scene.model));
+    const auto lut = read_exr(folder / (name + ".exr"));
+    ASSERT_TRUE(lut) << name << " was not written";
+    ASSERT_GE(lut->reached, 0.0) << "the header has no nacre:accuracyReached";
+    ++tally.luts;
+    constexpr double operations = 6e6;  // about a third of a second
+    Judge judge(*lut, scene);
+    const Point worst = judge.worst(operations);
+    tally.unsettled += judge.unsettled();
+    const bool is_refused = lut->reached > scene.max_de00;
+    tally.refused += is_refused ? 1 : 0;
+    const double slack = judges_share * scene.max_de00;
+    std::ostringstream what;
+    what << name << ": " << worst.error << " of " << scene.max_de00 << ", reached " << lut->reached << " at ("
+         << worst.x << ", " << worst.y << "), " << lut->pixels.width << " x " << lut->pixels.height
+         << (lut->is_half ? " half" : " float") << ", " << judge.unsettled() << " points unsettled";
+    if (!is_refused) {
+        EXPECT_LE(worst.error, scene.max_de00 + slack) << what.str();
+    }
+    EXPECT_LE(worst.error, share_beyond_reached * lut->reached + slack) << what.str();
+    const bool is_wrong = (!is_refused && worst.error > scene.max_de00 + slack) ||
+                          worst.error > share_beyond_reached * lut->reached + slack;
+    tally.violations += is_wrong ? 1 : 0;
+    if (std::getenv("NACRE_ACCURACY_VERBOSE") != nullptr)
+        std::cout << what.str() << (is_wrong ? "  WRONG" : "") << "\n";
+    if (is_refused) return;
+    const double share = worst.error / scene.max_de00;
+    if (share > tally.worst_share) tally.worst_share = share, tally.worst_name = name;
+    const double of_reached = worst.error / std::max(lut->reached, 0.1 * scene.max_de00);
+    if (of_reached > tally.worst_of_reached) tally.worst_of_reached = of_reached, tally.worst_of_reached_name = name;
+}
+
+// ---- The judge is judged first ----
+
+// Born & Wolf, Principles of Optics, 7th ed., 1.6.4: a quarter wave of index sqrt(n0 n2) reflects nothing, a half wave
+// is as if it were not there; N periods of quarter waves have admittance n2 (nH / nL)^(2N).
+TEST(DenseLayers, QuarterAndHalfWavesDoWhatTheTextbookSays) {
+    const double wavelength_nm = 550.0;
+    const auto stack = [](double substrate) {
+        LayersModel model;
+        model.substrate = {"", substrate};
+        return model;
+    };
+    const auto add = [](LayersModel& model, double n, double thickness_nm) {
+        model.layers.push_back({{"", n}, thickness_nm});
+        return model.layers.size() - 1;
+    };
+    LayersModel quarter = stack(1.52);
+    quarter.groups = {{1, false, {add(quarter, std::sqrt(1.52), wavelength_nm / (4.0 * std::sqrt(1.52)))}}};
+    EXPECT_NEAR(DenseLayers(quarter).reflectance(1.0, wavelength_nm), 0.0, 1e-15);
+
+    LayersModel half = stack(1.52);
+    half.groups = {{1, false, {add(half, 2.3, wavelength_nm / (2.0 * 2.3))}}};
+    EXPECT_NEAR(DenseLayers(half).reflectance(1.0, wavelength_nm), std::pow(0.52 / 2.52, 2.0), 1e-14);
+
+    LayersModel mirror = stack(1.52);
+    const std::size_t high = add(mirror, 2.3, wavelength_nm / (4.0 * 2.3));
+    const std::size_t low = add(mirror, 1.38, wavelength_nm / (4.0 * 1.38));
+    mirror.groups = {{4, true, {high, low}}};
+    const double admittance = 1.52 * std::pow(2.3 / 1.38, 8.0);
+    const double expected = std::pow((1.0 - admittance) / (1.0 + admittance), 2.0);
+    EXPECT_NEAR(DenseLayers(mirror).reflectance(1.0, wavelength_nm), expected, 1e-13);
+}
+
+// Light totally reflected at a prism's base leaks through a gap (Born & Wolf 1.5.4): nothing of a wide one, all of
+// none.
+TEST(DenseLayers, AGapBetweenPrismsReflectsAllWhenWideAndNothingWhenClosed) {
+    LayersModel model;
+    model.incident = model.substrate = {"", 1.5};
+    model.layers = {{{"", 1.0}, 5000.0}};
+    model.groups = {{1, false, {0}}};
+    const double cos_theta = std::cos(std::numbers::pi / 3.0);
+    EXPECT_NEAR(DenseLayers(model).reflectance(cos_theta, 500.0), 1.0, 1e-14);
+    model.layers[0].thickness_nm = 0.0;
+    EXPECT_NEAR(DenseLayers(model).reflectance(cos_theta, 500.0), 0.0, 1e-15);
+}
+
+// Brewster's angle: half of what s reflects is all that is left. A metal at normal incidence: ((n-1)^2 + k^2) /
+// ((n+1)^2 + k^2).
+TEST(DenseLayers, BareFacesFollowFresnel) {
+    LayersModel glass;
+    glass.substrate = {"", 1.5};
+    glass.layers = {{{"", 1.5}, 100.0}};
+    glass.groups = {{1, false, {0}}};
+    const double brewster = 1.0 / std::sqrt(1.0 + 1.5 * 1.5);  // its cosine
+    const double s = std::pow((1.5 * 1.5 - 1.0) / (1.5 * 1.5 + 1.0), 2.0);
+    EXPECT_NEAR(DenseLayers(glass).reflectance(brewster, 600.0), 0.5 * s, 1e-15);
+
+    LayersModel metal = glass;
+    metal.substrate = {"ag", {}};
+    metal.layers[0] = {{"", 1.0}, 100.0};
+    const std::complex<double> n = reference::material_index("ag", 600.0);
+    EXPECT_NEAR(DenseLayers(metal).reflectance(1.0, 600.0), std::norm((n - 1.0) / (n + 1.0)), 1e-14);
+}
+
+TEST(DenseLayers, GivesTheSpectrumThatTheProgramPrints) {
+    const TemporaryFolder folder;
+    const auto scenes = reference::random_layers();
+    for (std::size_t i = 0; i < 60; i += 5) {
+        const LayersModel& model = scenes[i].model;
+        folder.file("s.toml", reference::scene_text(model));
+        const ProgramResult result =
+            run_nacre({"spectrum", "s.toml", "--material", model.name, "--angle", "50"}, {folder.path(), {}, {}, {}});
+        ASSERT_EQ(result.exit_code, 0) << result.err;
+        const DenseLayers dense(model);
+        std::istringstream lines(result.out);
+        std::string line;
+        std::getline(lines, line);
+        ASSERT_EQ(line, "material,angle_deg,wavelength_nm,R_s,R_p,R");
+        std::size_t compared = 0;
+        while (std::getline(lines, line)) {
+            double nm = 0.0, reflectance = 0.0;
+            ASSERT_EQ(std::sscanf(line.c_str(), "%*[^,],%*[^,],%lf,%*[^,],%*[^,],%lf", &nm, &reflectance), 2) << line;
+            // Tables of k have digits, formulas none: 5e-5 of melanin's k is some 1e-6 here.
+            ASSERT_NEAR(dense.reflectance(std::cos(std::numbers::pi * 50.0 / 180.0), nm), reflectance, 1e-5)
+                << nm << "\n"
+                << reference::scene_text(model);
+            ++compared;
+        }
+        EXPECT_EQ(compared, 471u);
+    }
+}
+
+// ---- The contract ----
+
+TEST(LayeredAccuracyContract, NoFetchIsFartherFromTheModelThanWasAsked) {
+    const TemporaryFolder folder;
+    auto scenes = reference::random_layers();
+    scenes.resize(scene_count());
+    std::map<double, std::vector<std::string>> files;
+    for (const BoundedLayers& scene : scenes) {
+        const std::string& name = scene.model.name;
+        files[scene.max_de00].push_back(folder.file(name + ".toml", reference::scene_text(scene.model)));
+    }
+    const auto start = std::chrono::steady_clock::now();
+    for (const auto& [bound, of_bound] : files) {
+        std::ostringstream text;
+        text << bound;
+        std::vector<std::string> arguments{"bake", "-o", "out", "--accuracy", text.str(), "--best-effort", "--quiet"};
+        arguments.insert(arguments.end(), of_bound.begin(), of_bound.end());
+        const ProgramResult result = run_nacre(arguments, {folder.path(), {}, {}, {}});
+        ASSERT_TRUE(result.exit_code == 0 || result.exit_code == 4) << result.exit_code << ": " << result.err;
+    }
+    const std::chrono::duration<double> baked = std::chrono::steady_clock::now() - start;
+
+    std::map<double, Tally> tallies;
+    for (const BoundedLayers& scene : scenes) judge(folder.path() / "out", scene, tallies[scene.max_de00]);
+    const std::chrono::duration<double> all = std::chrono::steady_clock::now() - start;
+    for (const auto& [bound, tally] : tallies) {
+        std::cout << "[ ACCURACY ] DE " << bound << ": " << tally.luts << " LUTs, " << tally.refused << " refused, "
+                  << tally.violations << " wrong; measured/budget up to " << tally.worst_share << " ("
+                  << tally.worst_name << "); measured/reached up to " << tally.worst_of_reached << " ("
+                  << tally.worst_of_reached_name << "); " << tally.unsettled << " points unsettled\n";
+    }
+    std::cout << "[ ACCURACY ] baked in " << baked.count() << " s, judged in " << (all - baked).count() << " s"
+              << std::endl;
+}
+
+}  // namespace
+}  // namespace nacre::test

@@ -80,7 +80,9 @@ Command add_figures_command(CLI::App& app) {
     app.footer(
         "\nFigures 5, 7, 8, 9, 11, 12 and 14 of Park & Tsuruno 2014, from its equations and parameters: CSV, gnuplot "
         "script and\n"
-        "PNG of each, and a README.md that says what they show. Needs gnuplot (Debian package gnuplot-nox).\n\n"
+        "PNG of each, and a README.md that says what they show. Beside them stacks_morpho and stacks_beetle, which "
+        "judge\n"
+        "the paper's palettes against exactly solved layers. Needs gnuplot (Debian package gnuplot-nox).\n\n"
         "Example:\n  nacre figures -o figures\n");
     return [options](Console& console) { return run_figures(*options, console); };
 }

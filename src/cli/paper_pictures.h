@@ -15,7 +15,7 @@ namespace nacre {
 struct PaperFigure {
     std::string name;   ///< "figure8"
     std::string title;  ///< one line of Markdown
-    std::string shows;  ///< a paragraph of Markdown
+    std::string shows;  ///< Markdown
     std::vector<Series> data;
     std::string script;                   ///< gnuplot, writes <name>.png; empty: the swatches are the figure
     std::vector<PlannedSwatch> swatches;  ///< each is <name of the swatch>.png
@@ -25,7 +25,7 @@ struct PaperFigure {
     std::vector<std::string> files() const;
 };
 
-/// Figures 5, 7, 8, 9, 11, 12 and 14, and `white`, which has data only.
+/// Figures 5, 7, 8, 9, 11, 12 and 14, the palettes beside exact stacks, and `white`, which has data only.
 /// @param to_display  colours the curves of Figure 14
 std::vector<PaperFigure> paper_figures(const ColourTransform& to_display, bool is_srgb);
 

@@ -158,7 +158,8 @@ private:
                     throw Error(where + ": wavelength " + row.fields[2] + " is out of range; allowed (0, " +
                                 number_text(longest_wavelength_nm) + "] nm");
                 }
-                check_known(point, where);
+                check_known(point,
+                            options_.points + ":" + std::to_string(row.line) + ":" + std::to_string(row.columns[2]));
             }
             points.push_back(std::move(point));
         }
@@ -229,7 +230,8 @@ Command add_spectrum_command(CLI::App& app) {
         ->excludes("--angle");
     app.add_flag("--xyz", options->xyz, "X, Y, Z under the scene's light instead, before and after adaptation to D65");
     app.footer(
-        "\nThe exact model, no LUT in between. A palette is opaque: its T is 0, and s and p are alike. Films and stacks\n"
+        "\nThe exact model, no LUT in between. A palette is opaque: its T is 0, and s and p are alike. Films and "
+        "stacks\n"
         "reflect and let through; what is missing to 1 is absorbed. Columns R_s, R_p, R are reflectances of the two\n"
         "polarisations and of unpolarised light.\n\n"
         "Examples:\n"

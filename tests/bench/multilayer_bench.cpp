@@ -359,6 +359,26 @@ void ten_thousand_absorbing(benchmark::State& state) {
     ten_thousand(state, absorbing(10000));
 }
 
+// No two alike, and 401 wavelengths: what takes most memory. layer_memory.sh runs it alone.
+void ten_thousand_different(benchmark::State& state) {
+    LayerSystemBuilder builder(Index(1.0), Index(1.52));
+    for (int i = 0; i < 10000; ++i) {
+        const double n = i % 2 == 0 ? 1.46 : 2.3 + 1e-5 * i;
+        builder.layer(Index(RefractiveIndex(n, i % 2 == 0 ? 0.0 : 1e-4)), thickness_nm(i));
+    }
+    const LayerSystem system = builder.take();
+    const std::vector<double> nm = wavelengths_nm();
+    std::vector<Response> responses(nm.size());
+    for (auto _ : state) {
+        const MultilayerSolver solver(system, nm);
+        for (int i = 0; i < angles; ++i) {
+            solver.responses(incidence_of(i), responses);
+            benchmark::DoNotOptimize(responses.data());
+        }
+    }
+    state.counters["media"] = static_cast<double>(system.media.size());
+}
+
 BENCHMARK(spectra_20_lossless)->Unit(benchmark::kMillisecond);
 BENCHMARK(spectra_20_absorbing)->Unit(benchmark::kMillisecond);
 BENCHMARK(spectra_10_periods)->Unit(benchmark::kMillisecond);
@@ -367,6 +387,7 @@ BENCHMARK(lut_256_of_20_layers)->Unit(benchmark::kMillisecond);
 BENCHMARK(decide_20_layers_for_0_02)->Unit(benchmark::kMillisecond);
 BENCHMARK(ten_thousand_lossless)->Unit(benchmark::kMillisecond)->Iterations(1);
 BENCHMARK(ten_thousand_absorbing)->Unit(benchmark::kMillisecond)->Iterations(1);
+BENCHMARK(ten_thousand_different)->Unit(benchmark::kMillisecond)->Iterations(1);
 
 }  // namespace
 }  // namespace nacre

@@ -11,7 +11,8 @@ TEST(Figures, DataScriptAndPlotOfEveryFigureAreWritten) {
     const ProgramResult result = run_nacre({"figures", "-o", folder.path().string()});
     ASSERT_EQ(result.exit_code, 0) << result.err;
     const std::vector<std::string> names = folder.names();
-    for (const std::string plot : {"figure5", "figure7", "figure8", "figure9", "figure14"}) {
+    for (const std::string plot :
+         {"figure5", "figure7", "figure8", "figure9", "figure14", "stacks_morpho", "stacks_beetle"}) {
         EXPECT_TRUE(std::filesystem::exists(folder.path() / (plot + ".png"))) << plot;
         EXPECT_TRUE(std::filesystem::exists(folder.path() / (plot + ".gp"))) << plot;
     }
@@ -19,6 +20,13 @@ TEST(Figures, DataScriptAndPlotOfEveryFigureAreWritten) {
         EXPECT_TRUE(std::filesystem::exists(folder.path() / (picture + ".png"))) << picture;
         EXPECT_TRUE(std::filesystem::exists(folder.path() / (picture + ".csv"))) << picture;
     }
+    for (const std::string specimen : {"stacks_morpho", "stacks_beetle"}) {
+        for (const std::string data : {"", "_spectra", "_table", "_summary"})
+            EXPECT_TRUE(std::filesystem::exists(folder.path() / (specimen + data + ".csv"))) << specimen << data;
+    }
+    const std::string readme = file_bytes(folder.path() / "README.md");
+    EXPECT_NE(readme.find("| 16 layers, 1.6/1.7 | 60° | 460.00 |"), std::string::npos);
+    EXPECT_NE(readme.find("**Verdict.**"), std::string::npos);
     for (const std::string& name : names) {
         const std::string bytes = file_bytes(folder.path() / name);
         EXPECT_GT(bytes.size(), 20u) << name;

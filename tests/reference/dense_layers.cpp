@@ -310,7 +310,11 @@ double DenseLayers::reflectance_of(double cos_theta, double wavelength_nm, const
     const double n0 = indices[0].real();
     for (std::size_t m = 0; m < media_.size(); ++m) {
         const Complex& n = indices[m];
-        q[m] = std::sqrt(times(n - n0, n + n0) + square(n0 * cos_theta));
+        Complex q_square = times(n - n0, n + n0) + square(n0 * cos_theta);
+        // Bounces of a wave that runs along its layer cannot be summed; at an angle next to that one they can. A layer
+        // is even in q, so that it errs by 1e-14; rounding costs 1e-9.
+        if (norm_of(q_square) < 1e-28) q_square = 1e-14;
+        q[m] = std::sqrt(q_square);
         if (q[m].imag() < 0.0) q[m] = -q[m];
         q_p[m] = over(q[m], times(n, n));
     }

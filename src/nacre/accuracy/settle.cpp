@@ -37,6 +37,9 @@ constexpr std::array slices{0.0, 0.25, 0.5, 0.75, 1.0};
 
 constexpr std::size_t most_seeds = 96;
 
+// Of a search among LUTs of a film or stack, in reflectances of a film: some ten seconds.
+constexpr double most_effort = 1e9;
+
 std::string error_text(double error) {
     return significant_text(error, 2);
 }
@@ -93,6 +96,9 @@ private:
     }
 
     void choose_nodes() {
+        // A layer more costs about a quarter of what a film costs in all.
+        if (is_layered())
+            per_sample_ = 1.0 + 0.25 * expanded_layers(layer_systems(job().material.mechanism, 1).front());
         ChosenSampling chosen =
             choose_sampling(job(), share_of_nodes * wish_.max_de00, share_of_spread * wish_.max_de00,
                             {wish_.nodes.value_or(NodeCounts{}), wish_.realisations.value_or(0)});
@@ -205,7 +211,8 @@ private:
         const bool is_2d = job().y.has_value();
         const int narrowest = is_2d && !wish_.width ? smallest_side(true) : 2;
         const int lowest = is_2d && !wish_.height ? smallest_side(false) : 2;
-        candidates_ = candidates_from(wish_, is_2d, narrowest, lowest, 0, most_settled_texels);
+        const std::int64_t most = most_texels();
+        candidates_ = candidates_from(wish_, is_2d, narrowest, lowest, 0, most);
         is_hopeless_ = candidates_.empty() || is_tired();
         if (!is_hopeless_) return;
         if (is_tired()) {
@@ -213,7 +220,7 @@ private:
             return;
         }
         // Not even the least is little enough: one of the large ones, whatever its shape, is the best there is.
-        candidates_ = candidates_from(wish_, is_2d, 2, 2, most_settled_texels / 4, most_settled_texels);
+        candidates_ = candidates_from(wish_, is_2d, 2, 2, most / 4, most);
     }
 
     // The least size of one side that fits along slices through a 2D LUT: what the other side cannot help.
@@ -271,9 +278,24 @@ private:
     }
 
     // After so many reflectances of films and stacks, some ten seconds, the search is for the best of what is small.
-    bool is_tired() const {
-        constexpr std::uint64_t most_samples = 1'000'000'000;
-        return result_.work.samples > most_samples;
+    bool is_tired() const { return static_cast<double>(result_.work.samples) * per_sample_ > most_effort; }
+
+    // What one texel of a film or stack takes, in units of a film's reflectance: the bands of angles by their share of
+    // the default axis.
+    double effort_per_texel() {
+        constexpr std::array<double, band_least_cos_theta.size()> share{0.78, 0.16, 0.06};
+        const NodeCounts counts = job().sampling.node_counts();
+        double nodes = 0.0;
+        for (std::size_t band = 0; band < counts.size(); ++band) nodes += share[band] * counts[band];
+        return nodes * job().sampling.realisations * per_sample_;
+    }
+
+    // In 2D no single LUT may take a quarter of all that.
+    std::int64_t most_texels() {
+        if (!is_layered() || !job().y) return most_settled_texels;
+        constexpr double fewest = 1 << 13;
+        return static_cast<std::int64_t>(
+            std::clamp(0.25 * most_effort / effort_per_texel(), fewest, static_cast<double>(most_settled_texels)));
     }
 
     // The least error there is; of sizes that are equally good to 5 % the smallest.
@@ -370,7 +392,7 @@ private:
         }
         const bool is_free = !wish_.width && (!job().y || !wish_.height);
         return "interpolation between " + size_text(job()) + " texels costs " + error_text(split.interpolation) +
-               (is_free ? ", and " + std::to_string(job().y ? most_settled_texels : largest_lut_size) +
+               (is_free ? ", and " + std::to_string(job().y ? most_texels() : largest_lut_size) +
                               " texels are the most that are tried: give a larger bound" + (job().y ? ", or size" : "")
                         : ": leave size out, or give a larger one");
     }
@@ -382,6 +404,7 @@ private:
     double scale_ = 1.0;
     double storage_error_ = 0.0;
     std::optional<ModelCurve> curve_;  // of films and stacks in 1D
+    double per_sample_ = 1.0;          // what a reflectance takes, in those of a film
     std::vector<Candidate> candidates_;
     bool is_hopeless_ = false;  // no candidate can keep the bound
     std::vector<LutPoint> seeds_;

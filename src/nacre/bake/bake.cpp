@@ -36,7 +36,8 @@ std::vector<Response> responses_at(const Mechanism& mechanism, const Incidence& 
 
 std::shared_ptr<const IndexCurve> unknown_at(const Mechanism& mechanism, double wavelength_nm) {
     if (!needs_sampling(mechanism)) return nullptr;
-    for (const Index& index : layer_systems(mechanism, 1).front().curves) {
+    const LayerSystem system = layer_systems(mechanism, 1).front();
+    for (const Index& index : system.curves) {
         if (index.is_constant() || index.curve->holds_outside) continue;
         if (wavelength_nm < index.curve->first_nm || wavelength_nm > index.curve->last_nm) return index.curve;
     }

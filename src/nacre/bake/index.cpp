@@ -135,8 +135,27 @@ bool read_outside(const Table& table) {
     table.fail(value->where, "unknown outside " + in_quotes(name) + "; known: error, hold");
 }
 
+// Where a Sellmeier formula has no value at all; a resonance may be narrower than any step.
+std::vector<double> resonances_nm(const IndexCurve& curve) {
+    std::vector<double> resonances;
+    const auto* formula = std::get_if<IndexFormula>(&curve.n);
+    if (formula == nullptr || formula->number > 2) return resonances;
+    for (std::size_t i = 2; i < formula->coefficients.size(); i += 2) {
+        const double c = formula->coefficients[i];
+        if (formula->coefficients[i - 1] == 0.0) continue;
+        if (formula->number == 1) resonances.push_back(1000.0 * std::abs(c));
+        if (formula->number == 2 && c > 0.0) resonances.push_back(1000.0 * std::sqrt(c));
+    }
+    return resonances;
+}
+
 // A formula may have poles, and no n below its root.
 void check_formula(const Table& table, const IndexCurve& curve, double first_nm, double last_nm) {
+    for (const double nm : resonances_nm(curve)) {
+        if (nm < first_nm || nm > last_nm) continue;
+        table.fail(table.where(), "the formula has a resonance at " + number_text(nm) +
+                                      " nm, where it gives no index; allowed are resonances outside the light's range");
+    }
     constexpr int places = 2000;
     for (int i = 0; i <= places; ++i) {
         const double nm = std::lerp(std::max(first_nm, curve.first_nm), std::min(last_nm, curve.last_nm),
@@ -150,8 +169,8 @@ void check_formula(const Table& table, const IndexCurve& curve, double first_nm,
 }
 
 // What lies beyond the light's range is not needed; neighbours of its ends are.
-void crop(SampledCurve& curve, double first_nm, double last_nm) {
-    auto& [nm, value] = curve;
+void crop(SampledCurve& table, double first_nm, double last_nm, IndexCurve& curve) {
+    auto& [nm, value] = table;
     const auto after = std::upper_bound(nm.begin(), nm.end(), first_nm);
     const auto begin = after == nm.begin() ? 0 : std::distance(nm.begin(), after) - 1;
     const auto last = std::lower_bound(nm.begin(), nm.end(), last_nm);
@@ -159,6 +178,7 @@ void crop(SampledCurve& curve, double first_nm, double last_nm) {
     if (end - begin < 2) return;
     nm = std::vector<double>(nm.begin() + begin, nm.begin() + end);
     value = std::vector<double>(value.begin() + begin, value.begin() + end);
+    narrow_to(curve, table);
 }
 
 std::string list_text(const std::vector<double>& numbers) {
@@ -208,8 +228,8 @@ Index IndexReader::read_material(const Table& table, std::string_view key, const
         IndexCurve own = *curve;
         own.holds_outside = holds_outside;
         if (!own.is_shipped) {
-            if (auto* n = std::get_if<SampledCurve>(&own.n)) crop(*n, first_nm, last_nm);
-            if (auto* k = std::get_if<SampledCurve>(&own.k)) crop(*k, first_nm, last_nm);
+            if (auto* n = std::get_if<SampledCurve>(&own.n)) crop(*n, first_nm, last_nm, own);
+            if (auto* k = std::get_if<SampledCurve>(&own.k)) crop(*k, first_nm, last_nm, own);
         }
         curve = std::make_shared<const IndexCurve>(std::move(own));
     }
@@ -287,7 +307,8 @@ std::string index_toml(const Index& index) {
     std::string text = "{ ";
     if (!curve.name.empty()) text += "name = " + toml_string(curve.name) + ", ";
     text += n_toml(curve) + k_toml(curve);
-    text += ", range_nm = [" + number_text(curve.first_nm) + ", " + number_text(curve.last_nm) + "]";
+    if (curve.first_nm > 0.0)
+        text += ", range_nm = [" + number_text(curve.first_nm) + ", " + number_text(curve.last_nm) + "]";
     if (curve.holds_outside) text += ", outside = \"hold\"";
     return text + " }";
 }

@@ -46,7 +46,7 @@ public:
     std::vector<Layer> read(const Table& table, const Value& value, bool is_in_group) {
         const Value::Array& list = table.checked_array("layers", value);
         if (list.empty()) table.fail(value.where, "layers is empty; give one layer or more");
-        if (depth_ >= deepest_group) {
+        if (depth_ > deepest_group) {
             table.fail(value.where, "groups are nested deeper than " + std::to_string(deepest_group));
         }
         ++depth_;
@@ -129,6 +129,8 @@ private:
 
 // Sun's biological multilayer: films of one index with air between them.
 std::vector<Layer> read_lamellae(const Table& table, const IndexReader& reader) {
+    // So that one that is missing is not taken for the misspelling of another.
+    for (const std::string_view known : {"film", "film_nm", "gap", "gap_nm", "films"}) table.find(known);
     Layer film;
     film.index = read_required_index(table, "film", reader);
     film.thickness_nm = table.number("film_nm", allowed_thickness);
@@ -267,8 +269,8 @@ Stack read_stack(const Table& table, const IndexReader& index) {
     const double most = stack.thickness_spread_nm > 0.0 ? most_irregular_layers : most_layers;
     if (layers > most) {
         table.fail_at(form == "lamellae" ? "films" : "layers",
-                      "the stack has " + number_text(layers) + " layers, repeats counted; allowed " +
-                          number_text(most) + (most == most_layers ? "" : " with thickness_spread_nm"));
+                      "the stack has " + limit_text(layers) + " layers, repeats counted; allowed " + limit_text(most) +
+                          (most == most_layers ? "" : " with thickness_spread_nm"));
     }
     return stack;
 }

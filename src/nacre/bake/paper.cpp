@@ -26,6 +26,12 @@ Specimen paper_beetle() {
             {20.0, 30.0, 40.0, 50.0, 60.0}};
 }
 
+std::vector<Incidence> whole_degrees() {
+    std::vector<Incidence> angles;
+    for (int degrees = 0; degrees <= 90; ++degrees) angles.push_back(Incidence::from_degrees(degrees));
+    return angles;
+}
+
 double path_factor(double index, const Incidence& incidence) {
     // n^2 - 1 + cos^2 rather than n^2 - sin^2: exact at grazing, where the cosine is the small number.
     return std::sqrt((index - 1.0) * (index + 1.0) + incidence.cos_theta * incidence.cos_theta);

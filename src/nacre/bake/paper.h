@@ -29,6 +29,9 @@ struct Specimen {
 Specimen paper_morpho();
 Specimen paper_beetle();
 
+/// 0, 1, ..., 90 degrees: enough for smooth curves, and the errors' maxima are flat.
+std::vector<Incidence> whole_degrees();
+
 /// n * cos(angle in the solid) = sqrt(n^2 - sin^2(theta)): the paper's X_A, one solid layer's path per thickness.
 double path_factor(double index, const Incidence& incidence);
 

@@ -4,6 +4,7 @@
 #include <cassert>
 #include <cmath>
 #include <cstddef>
+#include <numeric>
 #include <utility>
 
 #include "nacre/bake/bake.h"
@@ -14,40 +15,6 @@
 
 namespace nacre {
 namespace {
-
-// Figure 7: what the equation was made for (cuticle, 1.56), and how it does with less and with more index.
-constexpr double figure7_indices[] = {1.25, 1.56, 1.83};
-
-// Whole degrees: enough for smooth curves, and the errors' maxima are flat.
-std::vector<Incidence> whole_degrees() {
-    std::vector<Incidence> angles;
-    for (int degrees = 0; degrees <= 90; ++degrees) angles.push_back(Incidence::from_degrees(degrees));
-    return angles;
-}
-
-// A straight line a + b t through points (t, value), least squares.
-struct Line {
-    double offset = 0.0;
-    double slope = 0.0;
-};
-
-Line fit_line(const std::vector<double>& t, const std::vector<double>& value) {
-    const auto count = static_cast<double>(t.size());
-    double mean_t = 0.0;
-    double mean_value = 0.0;
-    for (std::size_t i = 0; i < t.size(); ++i) {
-        mean_t += t[i] / count;
-        mean_value += value[i] / count;
-    }
-    double covariance = 0.0;
-    double variance = 0.0;
-    for (std::size_t i = 0; i < t.size(); ++i) {
-        covariance += (t[i] - mean_t) * (value[i] - mean_value);
-        variance += (t[i] - mean_t) * (t[i] - mean_t);
-    }
-    const double slope = covariance / variance;
-    return {mean_value - slope * mean_t, slope};
-}
 
 std::string named(const Specimen& specimen) {
     return " (" + specimen.title + ")";
@@ -75,15 +42,36 @@ double coordinate(int i, int count) {
 
 }  // namespace
 
-double Series::largest(const std::string& column, double from, double to) const {
+std::size_t Series::index_of(const std::string& column) const {
     const auto found = std::find(columns.begin(), columns.end(), column);
     assert(found != columns.end());
-    const auto index = static_cast<std::size_t>(found - columns.begin());
-    double most = 0.0;
+    return static_cast<std::size_t>(found - columns.begin());
+}
+
+double Series::value(double first, const std::string& column) const {
+    const auto found = std::find_if(rows.begin(), rows.end(), [&](const auto& row) { return row.front() == first; });
+    assert(found != rows.end());
+    return (*found)[index_of(column)];
+}
+
+std::vector<double> Series::magnitudes(const std::string& column, double from, double to) const {
+    const std::size_t index = index_of(column);
+    std::vector<double> result;
     for (const auto& row : rows) {
-        if (row.front() >= from && row.front() <= to) most = std::max(most, std::abs(row[index]));
+        if (row.front() >= from && row.front() <= to && !std::isnan(row[index])) result.push_back(std::abs(row[index]));
     }
-    return most;
+    return result;
+}
+
+double Series::largest(const std::string& column, double from, double to) const {
+    const std::vector<double> values = magnitudes(column, from, to);
+    return values.empty() ? 0.0 : *std::max_element(values.begin(), values.end());
+}
+
+double Series::mean(const std::string& column, double from, double to) const {
+    const std::vector<double> values = magnitudes(column, from, to);
+    if (values.empty()) return 0.0;
+    return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
 }
 
 Series paper_picks(const Specimen& specimen) {
@@ -110,57 +98,6 @@ Series paper_figure5(const Pick& pick) {
     for (int i = -steps; i <= steps; ++i) {
         const double wavelength_nm = lobe.peak_nm + i * step_nm;
         series.rows.push_back({wavelength_nm, lobe_reflectance(lobe, wavelength_nm)});
-    }
-    return series;
-}
-
-Series paper_figure7() {
-    Series series{
-        "figure7",
-        "Figure 7: X_A = sqrt(n^2 - sin^2) / n, its straight line in cos^2 by (3.2.4), and line less X_A, for three n",
-        {"angle_deg"},
-        {}};
-    for (const double index : figure7_indices) {
-        for (const char* what : {"exact_", "line_", "error_"}) series.columns.push_back(what + number_text(index));
-    }
-    for (const Incidence& incidence : whole_degrees()) {
-        std::vector<double> row{incidence.theta_deg};
-        for (const double index : figure7_indices) {
-            const double exact = path_factor(index, incidence) / index;
-            const double line = path_factor_line(index, incidence) / index;
-            row.insert(row.end(), {exact, line, line - exact});
-        }
-        series.rows.push_back(row);
-    }
-    return series;
-}
-
-Series paper_figure8(const Specimen& specimen) {
-    Series series{
-        "figure8_" + specimen.name,
-        "Figure 8: peak" + named(specimen) + ": Bragg's law, (3.2.5) with p = " + number_text(specimen.palette.shape) +
-            " through the picks and fitted to 0-90 degrees, (3.2.4) through the picks; errors against Bragg's law",
-        {"angle_deg", "bragg_nm", "palette_nm", "palette_error_nm", "fitted_nm", "fitted_error_nm", "cos2_nm",
-         "cos2_error_nm"},
-        {}};
-    const PaletteCurve palette(specimen.palette);
-    const PaletteCurve cos2({specimen.palette.picks, 1.0});
-    const Incidence normal;
-    std::vector<double> y;
-    std::vector<double> bragg_nm;
-    for (const Incidence& incidence : whole_degrees()) {
-        y.push_back(shape_difference(specimen.palette.shape, incidence, normal));
-        bragg_nm.push_back(bragg_peak_nm(specimen.stack, incidence));
-    }
-    const Line line = fit_line(y, bragg_nm);
-    for (const Incidence& incidence : whole_degrees()) {
-        const std::size_t i = series.rows.size();
-        const double exact = bragg_nm[i];
-        const double through_picks = palette.at(incidence).peak_nm;
-        const double fitted = line.offset + line.slope * y[i];
-        const double by_cos2 = cos2.at(incidence).peak_nm;
-        series.rows.push_back({incidence.theta_deg, exact, through_picks, through_picks - exact, fitted, fitted - exact,
-                               by_cos2, by_cos2 - exact});
     }
     return series;
 }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstddef>
+#include <limits>
 #include <memory>
 #include <string>
 #include <vector>
@@ -16,12 +18,24 @@ struct Series {
     std::string name;     ///< the file without ".csv"
     std::string comment;  ///< one line
     std::vector<std::string> columns;
-    std::vector<std::vector<double>> rows;  ///< each as long as `columns`
+    std::vector<std::vector<double>> rows;  ///< each as long as `columns`; NaN: there is no such number
 
-    /// Largest absolute value in a column, of the rows whose first column lies in [from, to].
+    /// Largest and mean absolute value in a column, of the rows whose first column lies in [from, to] and that have
+    /// one; 0 if none has.
     /// @pre the column exists
     double largest(const std::string& column, double from, double to) const;
+    double mean(const std::string& column, double from, double to) const;
+    /// The number in a column of the row whose first column is `first`.
+    /// @pre both exist
+    double value(double first, const std::string& column) const;
+
+private:
+    std::size_t index_of(const std::string& column) const;
+    std::vector<double> magnitudes(const std::string& column, double from, double to) const;
 };
+
+/// In columns of peaks: a spectrum without one.
+inline constexpr double no_peak = std::numeric_limits<double>::quiet_NaN();
 
 /// A palette's picks: angle, peak, width, height. The squares of Figures 8, 9 and 11.
 Series paper_picks(const Specimen& specimen);
@@ -30,7 +44,7 @@ Series paper_figure5(const Pick& pick);
 /// Figure 7: path_factor() / n and its straight line against the angle, for three indices.
 Series paper_figure7();
 /// Figure 8: Bragg's peak against the angle; beside it (3.2.5) through the two picks, as nacre bakes it, (3.2.5) fitted
-/// to all angles, and (3.2.4), the same with p = 1, through the picks.
+/// to all angles, and (3.2.4), the same with p = 1, through the picks; and the peak of the exact stack behind that law.
 Series paper_figure8(const Specimen& specimen);
 /// Figure 9: peak, width and height against the angle, before and after clamping.
 Series paper_figure9(const Specimen& specimen);

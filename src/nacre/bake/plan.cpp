@@ -3,6 +3,7 @@
 #include "nacre/bake/names.h"
 #include "nacre/bake/output_names.h"
 #include "nacre/bake/plan_tables.h"
+#include "nacre/bake/sampler.h"
 
 namespace nacre {
 namespace {
@@ -47,12 +48,21 @@ private:
         table != nullptr ? table->fail_at("illuminant", message) : scene_.fail_at("accuracy", message);
     }
 
-    void check_fringes(const Table& material, const Mechanism& mechanism) const {
+    // Where an axis may lead to.
+    void check_fringes(const Table& lut, const Job& job) const {
+        const bool moves = !job.x.is_angle() || (job.y && !job.y->is_angle());
+        if (!moves) return;
+        for (const double x : {0.0, 1.0}) {
+            for (const double y : {0.0, 1.0}) check_fringes(lut, mechanism_at(job, x, y));
+        }
+    }
+
+    void check_fringes(const Table& table, const Mechanism& mechanism) const {
         const double fringes = fringe_count(mechanism, plan_.light->settings);
         if (fringes <= most_fringes) return;
-        material.fail(material.where(), "the layers are so thick that " + significant_text(fringes, 3) +
-                                            " fringes lie in the light's range; allowed " + number_text(most_fringes) +
-                                            "; in a stack a thick layer may be marked incoherent = true");
+        table.fail(table.where(), "the layers are so thick that " + significant_text(fringes, 3) +
+                                      " fringes lie in the light's range; allowed " + number_text(most_fringes) +
+                                      "; in a stack a thick layer may be marked incoherent = true");
     }
 
     void read_colour() {
@@ -110,6 +120,7 @@ private:
             const Table& table = luts->checked_table(entry.key, entry.value);
             check_name(entry.key, *luts, entry.key_where);
             plan_.luts.push_back(read_lut(table, entry, plan_.materials, plan_.light, accuracy_));
+            check_fringes(table, plan_.luts.back().job);
         }
     }
 

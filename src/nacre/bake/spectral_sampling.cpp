@@ -47,7 +47,8 @@ public:
 
     ChosenSampling choose(double tolerance, double spread_tolerance, const SamplingWish& wish) {
         const Light& light = *job_.light;
-        chosen_.sampling.blurred = thick_layers(job_, tolerance);
+        // A scene that insists on its wavelengths gets every fringe as they sample it.
+        if (!light.settings.wavelengths) chosen_.sampling.blurred = thick_layers(job_, tolerance);
         if (light.settings.wavelengths) {
             chosen_.sampling.nodes.fill(
                 std::make_shared<const SpectralNodes>(make_spectral_nodes(light.grid_weights, light.grid)));

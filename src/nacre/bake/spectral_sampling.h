@@ -61,7 +61,8 @@ struct SamplingWish {
     int realisations = 0;
 };
 
-/// The fewest nodes that keep colours within `tolerance` at probes all over the job's axes, and the fewest realisations
+/// The fewest nodes that keep colours within `tolerance` at probes all over the job's axes (three and ten times that in
+/// the two bands towards grazing; between probes they may err by half as much again), and the fewest realisations
 /// of an irregular stack that keep them within `spread_tolerance`, or `most_chosen_realisations`.
 ///
 /// A layer whose fringes are fine beside everything else in the spectrum is taken as incoherent, if that is seen to

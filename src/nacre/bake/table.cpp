@@ -12,13 +12,6 @@ namespace {
 
 constexpr std::size_t longest_text = 4096;
 
-// Whole numbers in full: "100000" where number_text() has "1e+05".
-std::string limit_text(double limit) {
-    constexpr double longest = 1e7;
-    return limit == std::floor(limit) && std::abs(limit) <= longest ? std::to_string(static_cast<int>(limit))
-                                                                    : number_text(limit);
-}
-
 std::string interval_text(const Allowed& allowed) {
     std::string text = "[" + limit_text(allowed.low) + ", " + limit_text(allowed.high) + "]";
     if (!allowed.unit.empty()) text += " " + std::string(allowed.unit);

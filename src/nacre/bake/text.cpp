@@ -1,7 +1,11 @@
 #include "nacre/bake/text.h"
 
+#include <cassert>
 #include <charconv>
+#include <cmath>
 #include <cstddef>
+#include <iterator>
+#include <system_error>
 
 namespace nacre {
 
@@ -15,6 +19,12 @@ std::string number_text(double value) {
     return text;
 }
 
+std::string limit_text(double limit) {
+    constexpr double longest = 1e7;
+    const bool is_whole = limit == std::floor(limit) && std::abs(limit) <= longest;
+    return is_whole ? std::to_string(static_cast<int>(limit)) : number_text(limit);
+}
+
 std::string significant_text(double value, int digits) {
     char buffer[32];
     const auto written =
@@ -22,6 +32,16 @@ std::string significant_text(double value, int digits) {
     double rounded = value;  // infinity and its like stay what they are
     std::from_chars(buffer, written.ptr, rounded);
     return number_text(rounded);
+}
+
+std::string fixed_text(double value, int decimals) {
+    char digits[48];
+    const auto [end, error] =
+        std::to_chars(std::begin(digits), std::end(digits), value, std::chars_format::fixed, decimals);
+    assert(error == std::errc());
+    const std::string text(digits, end);
+    const bool is_zero = text.find_first_not_of("-0.") == std::string::npos;
+    return is_zero && text.front() == '-' ? text.substr(1) : text;
 }
 
 std::string toml_string(std::string_view text) {

@@ -12,6 +12,13 @@ std::string number_text(double value);
 /// @param digits  1 to 15
 std::string significant_text(double value, int digits);
 
+/// The number rounded to so many decimals, never "-0": "0.02", "130".
+/// @pre the value is finite and below 1e15; 0 <= decimals <= 15
+std::string fixed_text(double value, int decimals);
+
+/// The same for messages: whole numbers up to 1e7 in full, "100000" where number_text() has "1e+05".
+std::string limit_text(double limit);
+
 /// As a basic string of TOML, quotes included.
 std::string toml_string(std::string_view text);
 

@@ -112,13 +112,13 @@ TEST(ModelCurve, AsksForTheModelLessOftenThanSettlingWould) {
 }
 
 TEST(ModelCurve, ATighterToleranceAsksMoreOften) {
-    const Job job = decided(job_of(Film{1.0, 1.5, 3000.0, 1.0}));
+    const Job job = decided(job_of(Film{1.0, 1.5, 3000.0, 1.8}));
     const double scale = display_scale_of(job);
     EXPECT_LT(ModelCurve(job, 1e-1, scale).work().spectra, ModelCurve(job, 1e-5, scale).work().spectra);
 }
 
 TEST(ModelCurve, EndsWhenItIsTold) {
-    const Job job = decided(job_of(Film{1.0, 1.5, 3000.0, 1.0}));
+    const Job job = decided(job_of(Film{1.0, 1.5, 3000.0, 1.8}));
     int steps = 0;
     EXPECT_THROW(ModelCurve(job, 1e-6, 1.0,
                             [&] {

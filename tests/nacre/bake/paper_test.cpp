@@ -109,6 +109,22 @@ TEST(Paper, PaletteOfFigure8IsTheStraightLineInYThroughThePicks) {
     }
 }
 
+// The beetle's layers differ by 6 %: what Bragg's law leaves out is of second order. Absorbing films in air are another
+// matter.
+TEST(Paper, ExactPeakOfFigure8IsBraggsWhereContrastIsSmallAndNotWhereItIsLarge) {
+    EXPECT_LT(paper_figure8(paper_beetle()).largest("bragg_exact_error_nm", 0.0, 60.0), 0.06);
+    EXPECT_NEAR(value(paper_figure8(paper_morpho()), 0.0, "bragg_exact_error_nm"), 5.4, 0.1);
+}
+
+TEST(Paper, LargestAndMeanErrorSkipWhatIsMissing) {
+    const Series series{"s", "", {"x", "y"}, {{0.0, -3.0}, {1.0, no_peak}, {2.0, 1.0}, {9.0, 50.0}}};
+    EXPECT_EQ(series.largest("y", 0.0, 5.0), 3.0);
+    EXPECT_EQ(series.mean("y", 0.0, 5.0), 2.0);
+    EXPECT_EQ(series.largest("y", 1.0, 1.0), 0.0);
+    EXPECT_EQ(series.mean("y", 1.0, 1.0), 0.0);
+    EXPECT_EQ(series.value(9.0, "y"), 50.0);
+}
+
 TEST(Paper, SpectraPeakAtTheirColoursPeaks) {
     const auto light = default_light();
     for (const Specimen& specimen : {paper_morpho(), paper_beetle()}) {
@@ -152,7 +168,11 @@ TEST(Paper, EveryRowHasANumberForEveryColumn) {
         EXPECT_EQ(series.comment.find('\n'), std::string::npos);
         for (const auto& row : series.rows) {
             ASSERT_EQ(row.size(), series.columns.size()) << series.name;
-            for (const double number : row) EXPECT_TRUE(std::isfinite(number)) << series.name;
+            for (std::size_t i = 0; i < row.size(); ++i) {
+                // Near grazing the exact stack has no band.
+                const bool may_lack = series.columns[i].find("exact_") != std::string::npos && row.front() > 60.0;
+                EXPECT_TRUE(std::isfinite(row[i]) || may_lack) << series.name << " " << series.columns[i];
+            }
         }
     }
 }

@@ -99,7 +99,7 @@ TEST(SpectralSampling, APaletteNeedsNone) {
 
 TEST(SpectralSampling, MoreFringesTakeMoreNodes) {
     int last = 0;
-    for (const double thickness_nm : {100.0, 1000.0, 5000.0, 12000.0}) {
+    for (const double thickness_nm : {100.0, 1000.0, 5000.0}) {
         const Job job = job_of(film_of(thickness_nm));
         const NodeCounts counts = default_sampling(job).node_counts();
         EXPECT_GT(counts[0], last) << thickness_nm;

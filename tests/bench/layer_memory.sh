@@ -7,21 +7,16 @@ set -euo pipefail
 bench=${1:?which nacre_bench?}
 most_more_kilobytes=65536
 
-# peak BENCHMARK: kilobytes. Python, because time(1) is not installed everywhere.
+# peak BENCHMARK: kilobytes, as the kernel has them while the program runs.
 peak() {
-    python3 - "$bench" "--benchmark_filter=^$1" << 'END'
-import os, sys
-child = os.fork()
-if child == 0:
-    nothing = os.open(os.devnull, os.O_WRONLY)
-    os.dup2(nothing, 1)
-    os.dup2(nothing, 2)
-    os.execv(sys.argv[1], sys.argv[1:])
-_, status, usage = os.wait4(child, 0)
-if status != 0:
-    sys.exit(f"layer_memory.sh: {sys.argv[1]} ended with status {status}")
-print(usage.ru_maxrss)
-END
+    local most=0 now
+    "$bench" "--benchmark_filter=^$1" > /dev/null 2>&1 &
+    while now=$(awk '/^VmHWM:/ { print $2 }' "/proc/$!/status" 2> /dev/null) && [[ -n $now ]]; do
+        most=$now
+        sleep 0.02
+    done
+    wait $!
+    echo "$most"
 }
 
 idle=$(peak spectra_1_film)

@@ -1,6 +1,6 @@
 // The accuracy contract of films and stacks, judged by a second road: what `nacre bake --accuracy DE` writes is fetched
 // as a shader would, between texels too, and compared with tests/reference/dense_layers.h, which shares no line with
-// src/. NACRE_ACCURACY_SWEEP=1 takes all 200 random scenes, NACRE_ACCURACY_SWEEP=0 a few, so that sanitizers end in
+// src/. NACRE_LAYERED_SWEEP=1 takes all 200 random scenes, NACRE_LAYERED_SWEEP=0 a few, so that sanitizers end in
 // seconds.
 #include <OpenImageIO/imageio.h>
 #include <gtest/gtest.h>
@@ -48,7 +48,7 @@ constexpr double thickest_of_normal_run_nm = 20000.0;
 
 std::vector<BoundedLayers> scenes_of_this_run() {
     std::vector<BoundedLayers> all = reference::random_layers();
-    const char* sweep = std::getenv("NACRE_ACCURACY_SWEEP");
+    const char* sweep = std::getenv("NACRE_LAYERED_SWEEP");
     if (sweep != nullptr && std::string(sweep) == "1") return all;
     const auto is_too_thick = [](const BoundedLayers& scene) {
         return std::any_of(

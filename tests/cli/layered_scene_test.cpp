@@ -277,7 +277,7 @@ TEST(LayeredHeader, SaysWhereSpectraWereSampled) {
     const TemporaryFolder folder;
     const std::string rough =
         std::string(stack) + "thickness_spread_nm = 5\nlayers = [ { index = 1.5, thickness_nm = 300 } ]\n[accuracy]\n";
-    for (const std::string nodes : {"nodes = 64", "nodes = [64, 64, 64]", "nodes = [32, 64, 128]"}) {
+    for (const std::string nodes : {"nodes = 64", "nodes = [64, 64, 64, 64]", "nodes = [32, 64, 128, 128]"}) {
         Plan plan = plan_of(folder, rough + nodes + "\nrealisations = 16\n");
         PlannedLut& lut = plan.luts[0];
         ASSERT_TRUE(lut.wish.nodes.has_value());
@@ -506,10 +506,11 @@ const std::vector<Mistake> mistakes{
      "s.toml:1:1 [material.f]: the layers are so thick that 472000 fringes lie in the light's range; allowed 32768; in "
      "a stack a thick layer may be marked incoherent = true"},
     {"TwoNodes", std::string(good_film) + "[accuracy]\nnodes = [16, 32]\n",
-     "s.toml:6:9 [accuracy]: nodes has 2 numbers; give one, or 3: for angles up to 87.1, 89.8 and 90 degrees"},
+     "s.toml:6:9 [accuracy]: nodes has 2 numbers; give one, or 4: for angles up to 72.5, 87.1, 89.8 and 90 "
+     "degrees"},
     {"FewNodes", std::string(good_film) + "[accuracy]\nnodes = 4\n",
      "s.toml:6:9 [accuracy]: nodes = 4 is out of range; allowed [8, 131072]"},
-    {"NodesThatAreNotWhole", std::string(good_film) + "[accuracy]\nnodes = [16, 16, 2.5]\n",
+    {"NodesThatAreNotWhole", std::string(good_film) + "[accuracy]\nnodes = [16, 16, 2.5, 16]\n",
      "s.toml:6:18 [accuracy]: nodes = 2.5 is a number; give a whole number"},
     {"NodesAndWavelengths", std::string(good_film) + "[accuracy]\nnodes = 16\nwavelengths = 50\n",
      "s.toml:6:9 [accuracy]: nodes and wavelengths both say where spectra are sampled; leave one of them out"},

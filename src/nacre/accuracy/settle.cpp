@@ -24,7 +24,7 @@ constexpr double of_bound_in_2d = 0.98;
 constexpr double share_of_fast = 0.02;
 
 // And what the nodes of a film's or stack's spectrum may: they err by less with every one more.
-constexpr double share_of_nodes = 0.02;
+constexpr double share_of_nodes = 0.08;
 // The model itself is looked up on a curve, which may be off by this.
 constexpr double share_of_curve = 0.005;
 // And the mean of an irregular stack, which converges slowly.
@@ -283,7 +283,7 @@ private:
     // What one texel of a film or stack takes, in units of a film's reflectance: the bands of angles by their share of
     // the default axis.
     double effort_per_texel() {
-        constexpr std::array<double, band_least_cos_theta.size()> share{0.78, 0.16, 0.06};
+        constexpr std::array<double, band_least_cos_theta.size()> share{0.45, 0.33, 0.16, 0.06};
         const NodeCounts counts = job().sampling.node_counts();
         double nodes = 0.0;
         for (std::size_t band = 0; band < counts.size(); ++band) nodes += share[band] * counts[band];

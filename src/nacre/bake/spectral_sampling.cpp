@@ -19,11 +19,11 @@ constexpr int fewest_realisations = 32;
 
 // Square roots of the cosines at which each band is probed.
 constexpr std::array<std::array<double, 6>, band_least_cos_theta.size()> probe_sqrt_cos{
-    {{1.0, 0.85, 0.7, 0.55, 0.4, 0.25}, {0.21, 0.17, 0.14, 0.11, 0.09, 0.07}, {0.06, 0.045, 0.03, 0.02, 0.01, 0.005}}};
+    {{1.0, 0.92, 0.82, 0.72, 0.63, 0.56}, {0.53, 0.47, 0.4, 0.34, 0.28, 0.23}, {0.21, 0.17, 0.14, 0.11, 0.09, 0.07}, {0.06, 0.045, 0.03, 0.02, 0.01, 0.005}}};
 
 // How many tolerances a band may err by. In a film that stands free, light that grazes it runs to and fro so often that
 // no grid resolves its fringes: there an error falls only as they are hit by more nodes.
-constexpr std::array<double, band_least_cos_theta.size()> band_patience{1.0, 3.0, 10.0};
+constexpr std::array<double, band_least_cos_theta.size()> band_patience{1.0, 1.0, 2.0, 3.0};
 
 // The next count that is worth trying: steps of a third or a quarter.
 int next_count(int count) {
@@ -152,7 +152,7 @@ private:
 
     // At grazing, fringes that are too sharp for any grid reflect everything but a trace.
     static int most_nodes_of(std::size_t band, double fringes) {
-        if (band == 0) return most_nodes;
+        if (band < 2) return most_nodes;
         constexpr double per_fringe = 64.0;
         constexpr int at_least = 16384;
         return std::min(most_nodes, std::max(at_least, static_cast<int>(per_fringe * fringes)));

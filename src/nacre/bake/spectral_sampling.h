@@ -17,7 +17,7 @@ struct Job;
 
 /// Angles in bands, by their cosine: towards grazing every face is a mirror, fringes become sharp, and a spectrum wants
 /// more nodes.
-inline constexpr std::array<double, 3> band_least_cos_theta{0.05, 0.004, 0.0};
+inline constexpr std::array<double, 4> band_least_cos_theta{0.3, 0.05, 0.004, 0.0};
 using NodeCounts = std::array<int, band_least_cos_theta.size()>;
 std::size_t band_of(const Incidence& incidence);
 
@@ -61,8 +61,8 @@ struct SamplingWish {
     int realisations = 0;
 };
 
-/// The fewest nodes that keep colours within `tolerance` at probes all over the job's axes (three and ten times that in
-/// the two bands towards grazing; between probes they may err by half as much again), and the fewest realisations
+/// The fewest nodes that keep colours within `tolerance` at probes all over the job's axes (twice and three times that in
+/// the two bands next to grazing; between probes they may err by half as much again), and the fewest realisations
 /// of an irregular stack that keep them within `spread_tolerance`, or `most_chosen_realisations`.
 ///
 /// A layer whose fringes are fine beside everything else in the spectrum is taken as incoherent, if that is seen to

@@ -82,11 +82,13 @@ TEST(FringeCount, IsTwiceThePathTimesTheRangeOfWavenumbers) {
 
 TEST(BandOfAngles, IsGivenByTheCosine) {
     EXPECT_EQ(band_of(Incidence::from_degrees(0.0)), 0u);
-    EXPECT_EQ(band_of(Incidence::from_cos(0.05)), 0u);
-    EXPECT_EQ(band_of(Incidence::from_cos(0.049)), 1u);
-    EXPECT_EQ(band_of(Incidence::from_cos(0.004)), 1u);
-    EXPECT_EQ(band_of(Incidence::from_cos(0.0039)), 2u);
-    EXPECT_EQ(band_of(Incidence::from_degrees(90.0)), 2u);
+    EXPECT_EQ(band_of(Incidence::from_cos(0.3)), 0u);
+    EXPECT_EQ(band_of(Incidence::from_cos(0.29)), 1u);
+    EXPECT_EQ(band_of(Incidence::from_cos(0.05)), 1u);
+    EXPECT_EQ(band_of(Incidence::from_cos(0.049)), 2u);
+    EXPECT_EQ(band_of(Incidence::from_cos(0.004)), 2u);
+    EXPECT_EQ(band_of(Incidence::from_cos(0.0039)), 3u);
+    EXPECT_EQ(band_of(Incidence::from_degrees(90.0)), 3u);
 }
 
 TEST(SpectralSampling, APaletteNeedsNone) {
@@ -116,7 +118,7 @@ TEST(SpectralSampling, ATighterBoundTakesMoreNodes) {
     const ChosenSampling loose = choose_sampling(job, 0.1, 0.1);
     const ChosenSampling tight = choose_sampling(job, 1e-6, 0.1);
     EXPECT_LT(loose.sampling.node_counts()[0], tight.sampling.node_counts()[0]);
-    EXPECT_LE(tight.error, 10.0 * 1e-6) << "a band at grazing may err by ten tolerances";
+    EXPECT_LE(tight.error, 3.0 * 1e-6) << "a band at grazing may err by three tolerances";
     EXPECT_LE(loose.error, 10.0 * 0.1);
     EXPECT_GT(loose.spectra, 0);
 }
@@ -211,7 +213,7 @@ TEST(SpectralSampling, AScenesOwnWavelengthsWin) {
     for (const int wavelengths : {31, 471}) {
         const Job job = job_of(film_of(5000.0), light_of("D65", wavelengths));
         const ChosenSampling chosen = choose_sampling(job, 1e-3, 0.1);
-        const NodeCounts all{wavelengths, wavelengths, wavelengths};
+        const NodeCounts all{wavelengths, wavelengths, wavelengths, wavelengths};
         EXPECT_EQ(chosen.sampling.node_counts(), all);
         const SpectralNodes& nodes = *chosen.sampling.nodes[0];
         EXPECT_EQ(nodes.wavelength_nm.front(), 360.0);
@@ -238,12 +240,12 @@ TEST(SpectralSampling, AScenesOwnWavelengthsSampleEveryFringeAsItIs) {
 TEST(SpectralSampling, NodesThatAreWishedForAreTakenAndTheirErrorIsTold) {
     const Job job = job_of(film_of(1000.0, 1.8));
     SamplingWish few;
-    few.nodes = {8, 12, 16};
+    few.nodes = {8, 8, 12, 16};
     const ChosenSampling coarse = choose_sampling(job, 1e-3, 0.1, few);
     EXPECT_EQ(coarse.sampling.node_counts(), few.nodes);
     EXPECT_GT(coarse.error, 0.1);
     SamplingWish many;
-    many.nodes = {96, 1024, 16384};
+    many.nodes = {96, 192, 1024, 16384};
     const ChosenSampling fine = choose_sampling(job, 1e-3, 0.1, many);
     EXPECT_EQ(fine.sampling.node_counts(), many.nodes);
     EXPECT_LT(fine.error, 1e-2);
@@ -294,10 +296,10 @@ TEST(SpectralSampling, KeepsWhatItClaimsAtAnyAngle) {
         double brightest = 0.0;
         for (int i = 0; i <= 50; ++i) brightest = std::max(brightest, meant.at(Incidence::from_sqrt_cos(i / 50.0)).y);
         std::mt19937 generator(3);
-        // One, three and ten bounds in the bands (towards grazing, a free film's fringes are too sharp for any grid);
-        // between the six angles of a band that were probed, twice as much.
-        const std::array<double, 3> allowed{2e-3, 6e-3, 2e-2};
-        std::array<double, 3> worst{};
+        // One, one, two and three bounds in the bands (towards grazing, a free film's fringes are too sharp for any
+        // grid); between the six angles of a band that were probed, twice as much.
+        const std::array<double, 4> allowed{2e-3, 2e-3, 4e-3, 6e-3};
+        std::array<double, 4> worst{};
         for (int i = 0; i < 120; ++i) {
             const Incidence incidence =
                 Incidence::from_sqrt_cos(std::uniform_real_distribution<double>(0.0, 1.0)(generator));

@@ -10,8 +10,9 @@
 #include <utility>
 
 #include "nacre/accuracy/candidates.h"
+#include "nacre/accuracy/effort.h"
+#include "nacre/accuracy/obstacle.h"
 #include "nacre/accuracy/scan.h"
-#include "nacre/bake/text.h"
 #include "nacre/error.h"
 
 namespace nacre {
@@ -36,13 +37,6 @@ constexpr int survey_rows = 9;
 constexpr std::array slices{0.0, 0.25, 0.5, 0.75, 1.0};
 
 constexpr std::size_t most_seeds = 96;
-
-// Of a search among LUTs of a film or stack, in reflectances of a film: some ten seconds.
-constexpr double most_effort = 1e9;
-
-std::string error_text(double error) {
-    return significant_text(error, 2);
-}
 
 class Settler {
 public:
@@ -96,9 +90,6 @@ private:
     }
 
     void choose_nodes() {
-        // A layer more costs about a quarter of what a film costs in all.
-        if (is_layered())
-            per_sample_ = 1.0 + 0.25 * expanded_layers(layer_systems(job().material.mechanism, 1).front());
         ChosenSampling chosen =
             choose_sampling(job(), share_of_nodes * wish_.max_de00, share_of_spread * wish_.max_de00,
                             {wish_.nodes.value_or(NodeCounts{}), wish_.realisations.value_or(0)});
@@ -106,6 +97,7 @@ private:
         result_.predicted.spectrum = chosen.error;
         result_.predicted.spread = chosen.spread_error;
         result_.work.spectra += static_cast<std::uint64_t>(chosen.spectra);
+        effort_ = Effort(job());
     }
 
     // How bright a film or stack is, and what its nodes cost.
@@ -211,7 +203,7 @@ private:
         const bool is_2d = job().y.has_value();
         const int narrowest = is_2d && !wish_.width ? smallest_side(true) : 2;
         const int lowest = is_2d && !wish_.height ? smallest_side(false) : 2;
-        const std::int64_t most = most_texels();
+        const std::int64_t most = effort_.most_texels();
         candidates_ = candidates_from(wish_, is_2d, narrowest, lowest, 0, most);
         is_hopeless_ = candidates_.empty() || is_tired();
         if (!is_hopeless_) return;
@@ -277,26 +269,7 @@ private:
         return candidate.texels() <= (is_tired() ? most_texels_when_tired : most_texels);
     }
 
-    // After so many reflectances of films and stacks, some ten seconds, the search is for the best of what is small.
-    bool is_tired() const { return static_cast<double>(result_.work.samples) * per_sample_ > most_effort; }
-
-    // What one texel of a film or stack takes, in units of a film's reflectance: the bands of angles by their share of
-    // the default axis.
-    double effort_per_texel() {
-        constexpr std::array<double, band_least_cos_theta.size()> share{0.45, 0.33, 0.16, 0.06};
-        const NodeCounts counts = job().sampling.node_counts();
-        double nodes = 0.0;
-        for (std::size_t band = 0; band < counts.size(); ++band) nodes += share[band] * counts[band];
-        return nodes * job().sampling.realisations * per_sample_;
-    }
-
-    // In 2D no single LUT may take a quarter of all that.
-    std::int64_t most_texels() {
-        if (!is_layered() || !job().y) return most_settled_texels;
-        constexpr double fewest = 1 << 13;
-        return static_cast<std::int64_t>(
-            std::clamp(0.25 * most_effort / effort_per_texel(), fewest, static_cast<double>(most_settled_texels)));
-    }
+    bool is_tired() const { return effort_.is_spent(result_.work); }
 
     // The least error there is; of sizes that are equally good to 5 % the smallest.
     void find_best() {
@@ -329,7 +302,9 @@ private:
         for (const double error : trial.unrounded_errors_at(points))
             split.interpolation = std::max(split.interpolation, error);
         result_.work += trial.work();
-        if (!result_.is_reached) result_.obstacle = obstacle();
+        if (result_.is_reached) return;
+        const auto most = job().y ? effort_.most_texels() : std::int64_t{largest_lut_size};
+        result_.obstacle = obstacle(result_, {lost_by_space(), is_tired(), static_cast<int>(most)});
     }
 
     // Where a linear filter errs most if the curve is smooth; of large LUTs every n-th.
@@ -361,42 +336,6 @@ private:
         return lost;
     }
 
-    std::string obstacle() {
-        const ErrorSplit& split = result_.predicted;
-        if (split.storage > split.interpolation && split.storage > split.spectrum) {
-            const bool is_half = result_.lut.format == PixelFormat::half_float;
-            return is_half ? "half costs " + error_text(split.storage) + ": use float"
-                           : "float costs " + error_text(split.storage) + ": give a larger bound";
-        }
-        const double lost = lost_by_space();
-        if (lost > 0.5 * split.total) {
-            return "colours come back from the colour space off by " + error_text(lost) +
-                   ": use another space, or gamut = \"clip\" or \"compress\"";
-        }
-        if (samples() && split.spectrum > 0.5 * split.interpolation) {
-            return std::to_string(*job().light->settings.wavelengths) + " wavelengths cost " +
-                   error_text(split.spectrum) + ": leave wavelengths out";
-        }
-        if (split.spread > split.interpolation) {
-            return std::to_string(job().sampling.realisations) + " realisations of an irregular stack cost " +
-                   error_text(split.spread) + ": give more in [accuracy] realisations";
-        }
-        if (is_layered() && split.spectrum > split.interpolation) {
-            return integration_text(job()) + " cost " + error_text(split.spectrum) + ": leave nodes out, or give more";
-        }
-        if (split.spectrum > split.interpolation)
-            return "the fast integral costs " + error_text(split.spectrum) + ": use integral = \"exact\"";
-        if (is_tired()) {
-            return "interpolation between " + size_text(job()) + " texels costs " + error_text(split.interpolation) +
-                   ", and it takes too long to try more: give a larger bound, or size";
-        }
-        const bool is_free = !wish_.width && (!job().y || !wish_.height);
-        return "interpolation between " + size_text(job()) + " texels costs " + error_text(split.interpolation) +
-               (is_free ? ", and " + std::to_string(job().y ? most_texels() : largest_lut_size) +
-                              " texels are the most that are tried: give a larger bound" + (job().y ? ", or size" : "")
-                        : ": leave size out, or give a larger one");
-    }
-
     const Encoding& encoding_;
     const AfterRow& after_step_;
     const AccuracyWish wish_;
@@ -404,7 +343,7 @@ private:
     double scale_ = 1.0;
     double storage_error_ = 0.0;
     std::optional<ModelCurve> curve_;  // of films and stacks in 1D
-    double per_sample_ = 1.0;          // what a reflectance takes, in those of a film
+    Effort effort_;
     std::vector<Candidate> candidates_;
     bool is_hopeless_ = false;  // no candidate can keep the bound
     std::vector<LutPoint> seeds_;

@@ -1,0 +1,35 @@
+#include "nacre/accuracy/effort.h"
+
+#include <algorithm>
+#include <array>
+
+#include "nacre/bake/layered_colour.h"
+
+namespace nacre {
+namespace {
+
+constexpr double most_effort = 1e9;
+
+}  // namespace
+
+Effort::Effort(const Job& job) {
+    if (!needs_sampling(job.material.mechanism)) return;
+    // A layer more costs about a quarter of what a film costs in all.
+    per_sample_ = 1.0 + 0.25 * expanded_layers(layer_systems(job.material.mechanism, 1).front());
+    if (!job.y) return;
+    // Bands of angles by their share of the default axis.
+    constexpr std::array<double, band_least_cos_theta.size()> share{0.45, 0.33, 0.16, 0.06};
+    const NodeCounts counts = job.sampling.node_counts();
+    double nodes = 1.0;
+    for (std::size_t band = 0; band < counts.size(); ++band) nodes += share[band] * counts[band];
+    const double per_texel = nodes * job.sampling.realisations * per_sample_;
+    constexpr double fewest = 1 << 13;
+    const auto most = static_cast<double>(most_texels_);
+    most_texels_ = static_cast<std::int64_t>(std::clamp(0.25 * most_effort / per_texel, fewest, most));
+}
+
+bool Effort::is_spent(const Work& work) const {
+    return static_cast<double>(work.samples) * per_sample_ > most_effort;
+}
+
+}  // namespace nacre

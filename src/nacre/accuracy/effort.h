@@ -1,0 +1,28 @@
+#pragma once
+
+#include <cstdint>
+
+#include "nacre/bake/plan.h"
+#include "nacre/bake/work.h"
+
+namespace nacre {
+
+/// What a search among LUTs of a film or stack may take: some ten seconds, counted in reflectances of a film, so that
+/// the answer is the same on every machine. Palettes are cheap enough to have no limit.
+class Effort {
+public:
+    Effort() = default;
+    /// @param job  its sampling is decided
+    explicit Effort(const Job& job);
+
+    /// Whether so much work is all that is worth it.
+    bool is_spent(const Work& work) const;
+    /// Texels of the largest LUT that is worth trying: in 2D none may take a quarter of all that.
+    std::int64_t most_texels() const { return most_texels_; }
+
+private:
+    double per_sample_ = 0.0;  // what a reflectance takes, in those of a film; 0: nothing that counts
+    std::int64_t most_texels_ = std::int64_t{1} << 22;
+};
+
+}  // namespace nacre

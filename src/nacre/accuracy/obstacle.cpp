@@ -1,0 +1,52 @@
+#include "nacre/accuracy/obstacle.h"
+
+#include "nacre/bake/text.h"
+
+namespace nacre {
+namespace {
+
+std::string error_text(double error) {
+    return significant_text(error, 2);
+}
+
+std::string between_texels(const SettledLut& settled, const SearchEnd& end) {
+    const Job& job = settled.lut.job;
+    const AccuracyWish& wish = settled.lut.wish;
+    std::string text =
+        "interpolation between " + size_text(job) + " texels costs " + error_text(settled.predicted.interpolation);
+    if (end.is_tired) return text + ", and it takes too long to try more: give a larger bound, or size";
+    if (wish.width || (job.y && wish.height)) return text + ": leave size out, or give a larger one";
+    text += ", and " + std::to_string(end.most_texels) + " texels are the most that are tried: give a larger bound";
+    return job.y ? text + ", or size" : text;
+}
+
+}  // namespace
+
+std::string obstacle(const SettledLut& settled, const SearchEnd& end) {
+    const Job& job = settled.lut.job;
+    const ErrorSplit& split = settled.predicted;
+    const auto& wavelengths = job.light->settings.wavelengths;
+    if (split.storage > split.interpolation && split.storage > split.spectrum) {
+        const bool is_half = settled.lut.format == PixelFormat::half_float;
+        return is_half ? "half costs " + error_text(split.storage) + ": use float"
+                       : "float costs " + error_text(split.storage) + ": give a larger bound";
+    }
+    if (end.lost_by_space > 0.5 * split.total) {
+        return "colours come back from the colour space off by " + error_text(end.lost_by_space) +
+               ": use another space, or gamut = \"clip\" or \"compress\"";
+    }
+    if (wavelengths && split.spectrum > 0.5 * split.interpolation) {
+        return std::to_string(*wavelengths) + " wavelengths cost " + error_text(split.spectrum) +
+               ": leave wavelengths out";
+    }
+    if (split.spread > split.interpolation) {
+        return std::to_string(job.sampling.realisations) + " realisations of an irregular stack cost " +
+               error_text(split.spread) + ": give more in [accuracy] realisations";
+    }
+    if (split.spectrum <= split.interpolation) return between_texels(settled, end);
+    if (needs_sampling(job.material.mechanism))
+        return integration_text(job) + " cost " + error_text(split.spectrum) + ": leave nodes out, or give more";
+    return "the fast integral costs " + error_text(split.spectrum) + ": use integral = \"exact\"";
+}
+
+}  // namespace nacre

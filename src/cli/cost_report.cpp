@@ -24,7 +24,7 @@ struct FamilyText {
 constexpr std::array family_texts{
     FamilyText{CostFamily::choice, "choice", "nacre's choice for a bound"},
     FamilyText{CostFamily::integral, "integral", "from spectrum to XYZ, all else as good as it gets"},
-    FamilyText{CostFamily::fixed_size, "fixed_size", "sizes fixed by hand, exact integral"},
+    FamilyText{CostFamily::fixed_size, "fixed_size", "sizes fixed by hand, spectra integrated exactly"},
     FamilyText{CostFamily::mistake, "mistake", "what goes wrong, at 256 texels and half"},
 };
 

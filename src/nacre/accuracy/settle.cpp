@@ -92,7 +92,7 @@ private:
     void choose_nodes() {
         ChosenSampling chosen =
             choose_sampling(job(), share_of_nodes * wish_.max_de00, share_of_spread * wish_.max_de00,
-                            {wish_.nodes.value_or(NodeCounts{}), wish_.realisations.value_or(0)});
+                            {wish_.nodes.value_or(NodeCounts{}), wish_.realisations.value_or(0)}, after_step_);
         job().sampling = chosen.sampling;
         result_.predicted.spectrum = chosen.error;
         result_.predicted.spread = chosen.spread_error;

@@ -50,11 +50,12 @@ Image<Rgb> rounded(Image<Rgb> image, PixelFormat format, const Encoding& encodin
 double display_scale(const Image<Xyz>& texels) {
     double brightest = 0.0;
     for (const Xyz& texel : texels) brightest = std::max(brightest, texel.y);
-    return brightest > 0.0 ? 1.0 / brightest : 1.0;
+    return brightest > black_luminance ? 1.0 / brightest : 1.0;
 }
 
 double brightness_scale(const Image<Xyz>& texels, double black_scale) {
-    const bool is_black = std::all_of(texels.begin(), texels.end(), [](const Xyz& texel) { return !(texel.y > 0.0); });
+    const bool is_black =
+        std::all_of(texels.begin(), texels.end(), [](const Xyz& texel) { return !(texel.y > black_luminance); });
     return is_black ? black_scale : display_scale(texels);
 }
 

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <functional>
@@ -18,10 +19,22 @@ constexpr double most_irregular_layers = 1000;
 constexpr std::size_t deepest_group = 16;
 constexpr std::size_t most_layer_parameters = 200;
 
+double largest_k(const IndexCurve& curve, double first_nm, double last_nm) {
+    double largest = 0.0;
+    for (double nm = first_nm; nm <= last_nm; nm += 1.0) largest = std::max(largest, curve.at(nm).imag());
+    return largest;
+}
+
 Index read_incident(const Table& table, const IndexReader& reader) {
     Index incident = reader.read_or(table, "incident", Index(1.0));
-    const bool is_lossless = incident.is_constant() ? incident.constant.imag() == 0.0 : incident.curve->is_lossless();
-    if (is_lossless) return incident;
+    // Glass has a k of 1e-8, which nobody sees at this side of the layers.
+    constexpr double transparent = 1e-6;
+    if (incident.is_constant() && incident.constant.imag() == 0.0) return incident;
+    if (!incident.is_constant() && largest_k(*incident.curve, reader.first_nm, reader.last_nm) <= transparent) {
+        IndexCurve lossless = *incident.curve;
+        lossless.k = 0.0;
+        return Index(std::make_shared<const IndexCurve>(std::move(lossless)));
+    }
     table.fail_at("incident",
                   "incident absorbs, so no light comes from far away in it; allowed is a medium with k = 0");
 }
@@ -277,8 +290,10 @@ Stack read_stack(const Table& table, const IndexReader& index) {
 
 std::vector<Parameter> stack_parameters(const Stack& stack) {
     std::vector<Parameter> parameters;
-    parameters.push_back({"thickness_spread_nm", "spread of the thicknesses", allowed_spread,
-                          [](Mechanism& m, double value) { std::get<Stack>(m).thickness_spread_nm = value; }});
+    if (expanded_layers(stack.layers) <= most_irregular_layers) {
+        parameters.push_back({"thickness_spread_nm", "spread of the thicknesses", allowed_spread,
+                              [](Mechanism& m, double value) { std::get<Stack>(m).thickness_spread_nm = value; }});
+    }
     add_index_parameters(
         "substrate.", " of the substrate", stack.substrate,
         [](Mechanism& m) -> Index& { return std::get<Stack>(m).substrate; }, parameters);

@@ -34,7 +34,8 @@ NodeCounts read_nodes(const Table& table, const Value& value) {
     const Value::Array& list = table.checked_array("nodes", value);
     if (list.size() != counts.size()) {
         table.fail(value.where, "nodes has " + std::to_string(list.size()) + " numbers; give one, or " +
-                                    std::to_string(counts.size()) + ": for angles up to 72.5, 87.1, 89.8 and 90 degrees");
+                                    std::to_string(counts.size()) +
+                                    ": for angles up to 72.5, 87.1, 89.8 and 90 degrees");
     }
     for (std::size_t band = 0; band < counts.size(); ++band)
         counts[band] = table.checked_integer("nodes", list[band], allowed_nodes);

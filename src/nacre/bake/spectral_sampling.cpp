@@ -17,9 +17,15 @@ constexpr Xyz d65 = xyz_from_chromaticity(d65_chromaticity);
 constexpr int fewest_nodes = 16;
 constexpr int fewest_realisations = 32;
 
+// Of a choice, in reflectances of a film: some five seconds.
+constexpr double most_effort = 5e8;
+
 // Square roots of the cosines at which each band is probed.
 constexpr std::array<std::array<double, 6>, band_least_cos_theta.size()> probe_sqrt_cos{
-    {{1.0, 0.92, 0.82, 0.72, 0.63, 0.56}, {0.53, 0.47, 0.4, 0.34, 0.28, 0.23}, {0.21, 0.17, 0.14, 0.11, 0.09, 0.07}, {0.06, 0.045, 0.03, 0.02, 0.01, 0.005}}};
+    {{1.0, 0.92, 0.82, 0.72, 0.63, 0.56},
+     {0.53, 0.47, 0.4, 0.34, 0.28, 0.23},
+     {0.21, 0.17, 0.14, 0.11, 0.09, 0.07},
+     {0.06, 0.045, 0.03, 0.02, 0.01, 0.005}}};
 
 // How many tolerances a band may err by. In a film that stands free, light that grazes it runs to and fro so often that
 // no grid resolves its fringes: there an error falls only as they are hit by more nodes.
@@ -43,7 +49,10 @@ struct Probes {
 
 class Chooser {
 public:
-    explicit Chooser(const Job& job) : job_(job) { place_probes(); }
+    Chooser(const Job& job, const std::function<void()>& after_step) : job_(job), after_step_(after_step) {
+        place_probes();
+        per_sample_ = 1.0 + 0.25 * expanded_layers(layer_systems(job.material.mechanism, 1).front());
+    }
 
     ChosenSampling choose(double tolerance, double spread_tolerance, const SamplingWish& wish) {
         const Light& light = *job_.light;
@@ -94,6 +103,8 @@ private:
             for (const Incidence& incidence : probes.incidences) {
                 result.push_back(adapt(job_.light->adaptation, colour.at(incidence)));
                 ++chosen_.spectra;
+                effort_ += per_sample_ * static_cast<double>(colour.samples(incidence));
+                if (after_step_) after_step_();
             }
         }
         return result;
@@ -102,7 +113,7 @@ private:
     // At the scale of what is brightest anywhere: the first band has been seen by then.
     double largest_difference(const Colours& one, const Colours& other) {
         for (const Xyz& colour : other) brightest_ = std::max(brightest_, colour.y);
-        if (!(brightest_ > 0.0)) return 0.0;
+        if (!(brightest_ > black_luminance)) return 0.0;
         const auto lab = [&](const Xyz& colour) {
             return to_lab({colour.x / brightest_, colour.y / brightest_, colour.z / brightest_}, d65);
         };
@@ -143,7 +154,8 @@ private:
             const Try& candidate = tries[tries.size() - 3];
             const double error = std::max(largest_difference(candidate.colours, tries.back().colours),
                                           largest_difference(tries[tries.size() - 2].colours, tries.back().colours));
-            if (error > tolerance && count < most_nodes_of(band, fringes)) continue;
+            const bool may_go_on = count < most_nodes_of(band, fringes) && effort_ < most_effort;
+            if (error > tolerance && may_go_on) continue;
             chosen_.sampling.nodes[band] = candidate.nodes;
             chosen_.error = std::max(chosen_.error, error);
             return;
@@ -179,12 +191,16 @@ private:
             Colours more = colours(0, twice);
             chosen_.spread_error = largest_difference(some, more);
             const bool is_enough = chosen_.spread_error <= tolerance;
-            if (wish > 0 || is_enough || sampling.realisations >= most_chosen_realisations) return;
+            const bool may_go_on = sampling.realisations < most_chosen_realisations && effort_ < most_effort;
+            if (wish > 0 || is_enough || !may_go_on) return;
             some = std::move(more);
         }
     }
 
     const Job& job_;
+    const std::function<void()>& after_step_;
+    double per_sample_ = 1.0;  // what a reflectance takes, in those of a film
+    double effort_ = 0.0;      // so far
     std::array<std::vector<Probes>, band_least_cos_theta.size()> bands_;
     double brightest_ = 0.0;
     ChosenSampling chosen_;
@@ -208,9 +224,10 @@ double fringe_count(const Mechanism& mechanism, const LightSettings& light) {
     return needs_sampling(mechanism) ? fringe_count(layer_systems(mechanism, 1).front(), light) : 0.0;
 }
 
-ChosenSampling choose_sampling(const Job& job, double tolerance, double spread_tolerance, const SamplingWish& wish) {
+ChosenSampling choose_sampling(const Job& job, double tolerance, double spread_tolerance, const SamplingWish& wish,
+                               const std::function<void()>& after_step) {
     if (!needs_sampling(job.material.mechanism)) return {};
-    return Chooser(job).choose(tolerance, spread_tolerance, wish);
+    return Chooser(job, after_step).choose(tolerance, spread_tolerance, wish);
 }
 
 SpectralSampling default_sampling(const Job& job) {

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstddef>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -61,15 +62,17 @@ struct SamplingWish {
     int realisations = 0;
 };
 
-/// The fewest nodes that keep colours within `tolerance` at probes all over the job's axes (twice and three times that in
-/// the two bands next to grazing; between probes they may err by half as much again), and the fewest realisations
-/// of an irregular stack that keep them within `spread_tolerance`, or `most_chosen_realisations`.
+/// The fewest nodes that keep colours within `tolerance` at probes all over the job's axes (twice and three times that
+/// in the two bands next to grazing; between probes they may err by half as much again), and the fewest realisations of
+/// an irregular stack that keep them within `spread_tolerance`, or `most_chosen_realisations`.
 ///
 /// A layer whose fringes are fine beside everything else in the spectrum is taken as incoherent, if that is seen to
 /// change nothing that counts. Then it starts at two nodes per fringe, and goes on until more of them change nothing
 /// that counts. The light's own `wavelengths` are taken if the scene insists on them.
-ChosenSampling choose_sampling(const Job& job, double tolerance, double spread_tolerance,
-                               const SamplingWish& wish = {});
+/// Thousands of layers may want more than a search should take: then it ends with what it has, and tells its error.
+/// @param after_step  called every few colours; what it throws ends the choice
+ChosenSampling choose_sampling(const Job& job, double tolerance, double spread_tolerance, const SamplingWish& wish = {},
+                               const std::function<void()>& after_step = {});
 
 inline constexpr int most_chosen_realisations = 512;
 

@@ -32,6 +32,17 @@ double optical_path_nm(const LayerSystem& system, double wavelength_nm, std::siz
     return sum;
 }
 
+// Only in such a layer do fringes stay fine at every angle: in a thinner medium the wave comes to run along the layer,
+// and near the critical angle fringes are as coarse as one likes.
+bool is_denser_than_incident(const LayerSystem& system, int medium, const LightSettings& light) {
+    constexpr double clearly = 1.05;
+    for (const int nm : {light.first_nm, (light.first_nm + light.last_nm) / 2, light.last_nm}) {
+        const double n0 = system.index_at(system.incident, nm).real();
+        if (system.index_at(medium, nm).real() < clearly * n0) return false;
+    }
+    return true;
+}
+
 // The finest, then the finest of what is left, as long as each is fine beside all the others.
 std::vector<std::size_t> candidates(LayerSystem system, const LightSettings& light) {
     std::vector<std::size_t> thick;
@@ -42,6 +53,7 @@ std::vector<std::size_t> candidates(LayerSystem system, const LightSettings& lig
             const LayerNode& node = system.nodes[i];
             // Only a layer that is thick enough is worth the sum over all of its wavelengths.
             if (node.repeat > 0 || node.is_incoherent || node.thickness_nm < 1000.0) continue;
+            if (!is_denser_than_incident(system, node.medium, light)) continue;
             LayerSystem alone = system;
             alone.nodes = {node};
             const double fringes = fringe_count(alone, light);
@@ -94,7 +106,7 @@ std::vector<std::size_t> thick_layers(const Job& job, double tolerance) {
         meant.push_back(adapt(light.adaptation, sharp.at(incidence)));
         brightest = std::max(brightest, meant.back().y);
     }
-    if (!(brightest > 0.0)) return thick;
+    if (!(brightest > black_luminance)) return thick;
     const auto lab = [&](const Xyz& colour) {
         return to_lab({colour.x / brightest, colour.y / brightest, colour.z / brightest}, d65);
     };

@@ -17,6 +17,9 @@ struct Lab {
 /// @param white  of positive components
 Lab to_lab(Xyz colour, Xyz white);
 
+/// Luminances up to this are black, however bright they are shown: what is left of nothing after rounding.
+inline constexpr double black_luminance = 1e-12;
+
 /// CIEDE2000, kL = kC = kH = 1: 1 is about what an eye just tells apart.
 ///
 /// Source: Sharma, Wu, Dalal 2005, Color Res. Appl. 30(1), 21-30, equations 2-22; symmetric in its arguments.

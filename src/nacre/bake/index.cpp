@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <functional>
 
+#include "nacre/bake/crop_curve.h"
 #include "nacre/bake/names.h"
 #include "nacre/bake/text.h"
 
@@ -168,19 +169,6 @@ void check_formula(const Table& table, const IndexCurve& curve, double first_nm,
     }
 }
 
-// What lies beyond the light's range is not needed; neighbours of its ends are.
-void crop(SampledCurve& table, double first_nm, double last_nm, IndexCurve& curve) {
-    auto& [nm, value] = table;
-    const auto after = std::upper_bound(nm.begin(), nm.end(), first_nm);
-    const auto begin = after == nm.begin() ? 0 : std::distance(nm.begin(), after) - 1;
-    const auto last = std::lower_bound(nm.begin(), nm.end(), last_nm);
-    const auto end = last == nm.end() ? std::distance(nm.begin(), last) : std::distance(nm.begin(), last) + 1;
-    if (end - begin < 2) return;
-    nm = std::vector<double>(nm.begin() + begin, nm.begin() + end);
-    value = std::vector<double>(value.begin() + begin, value.begin() + end);
-    narrow_to(curve, table);
-}
-
 }  // namespace
 
 void IndexReader::check_range(const Table& table, const Where& where, const IndexCurve& curve) const {
@@ -201,8 +189,14 @@ Index IndexReader::read_material(const Table& table, std::string_view key, const
         IndexCurve own = *curve;
         own.holds_outside = holds_outside;
         if (!own.is_shipped) {
-            if (auto* n = std::get_if<SampledCurve>(&own.n)) crop(*n, first_nm, last_nm, own);
-            if (auto* k = std::get_if<SampledCurve>(&own.k)) crop(*k, first_nm, last_nm, own);
+            if (auto* n = std::get_if<SampledCurve>(&own.n)) {
+                crop_curve(*n, first_nm, last_nm);
+                narrow_to(own, *n);
+            }
+            if (auto* k = std::get_if<SampledCurve>(&own.k)) {
+                crop_curve(*k, first_nm, last_nm);
+                narrow_to(own, *k);
+            }
         }
         curve = std::make_shared<const IndexCurve>(std::move(own));
     }

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "nacre/bake/catalogue.h"
+#include "nacre/bake/crop_curve.h"
 #include "nacre/colour/cie_tables.h"
 #include "nacre/colour/illuminant.h"
 
@@ -108,19 +109,6 @@ void check_power(const Table& table, const LightSettings& settings) {
     if (!(luminance > 0.0)) fail("has no visible light in range_nm; give it some");
 }
 
-// Drops what lies outside the range, but for the neighbours that its ends are interpolated from. Lamps are measured
-// further than eyes see, and their last values may be noise below zero.
-void crop_to_range(LightSettings& settings) {
-    auto& [nm, power] = settings.power;
-    const auto after = std::upper_bound(nm.begin(), nm.end(), static_cast<double>(settings.first_nm));
-    const auto begin = after == nm.begin() ? 0 : std::distance(nm.begin(), after) - 1;
-    const auto last = std::lower_bound(nm.begin(), nm.end(), static_cast<double>(settings.last_nm));
-    const auto end = last == nm.end() ? std::distance(nm.begin(), last) : std::distance(nm.begin(), last) + 1;
-    if (end - begin < 2) return;
-    nm = std::vector<double>(nm.begin() + begin, nm.begin() + end);
-    power = std::vector<double>(power.begin() + begin, power.begin() + end);
-}
-
 }  // namespace
 
 Light make_light(LightSettings settings) {
@@ -154,7 +142,8 @@ LightSettings read_light(const Table* light, std::optional<int> wavelengths, con
     read_range(table, settings);
     read_illuminant(table, settings, read_curve);
     if (settings.is_table) {
-        crop_to_range(settings);
+        // Lamps are measured further than eyes see, and their last values may be noise below zero.
+        crop_curve(settings.power, settings.first_nm, settings.last_nm);
         check_power(table, settings);
     }
     table.expect_all_read();

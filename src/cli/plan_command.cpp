@@ -77,9 +77,9 @@ nlohmann::ordered_json task_json(const SettledTask& task, double seconds) {
     json["wavelengths"] = nullptr;
     if (job.light->settings.wavelengths) {
         json["wavelengths"] = *job.light->settings.wavelengths;
-    } else if (!needs_sampling(job.material.mechanism)) {
+    } else if (std::holds_alternative<Palette>(job.material.mechanism)) {
         json["integral"] = name_of(integral_words, job.integral);
-    } else {
+    } else if (samples_spectra(job.material.mechanism)) {
         json["nodes"] = job.sampling.node_counts();
     }
     if (job.sampling.realisations > 1) json["realisations"] = job.sampling.realisations;
@@ -90,6 +90,8 @@ nlohmann::ordered_json task_json(const SettledTask& task, double seconds) {
         json["predicted"] = {{"de00", settled.predicted.total},
                              {"spectrum", settled.predicted.spectrum},
                              {"spread", settled.predicted.spread},
+                             {"quadrature", settled.predicted.quadrature},
+                             {"effects", settled.predicted.effects},
                              {"interpolation", settled.predicted.interpolation},
                              {"storage", settled.predicted.storage}};
     }

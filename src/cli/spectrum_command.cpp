@@ -1,7 +1,8 @@
 #include <algorithm>
-#include <array>
+#include <cmath>
 #include <cstdio>
 #include <nlohmann/json.hpp>
+#include <numbers>
 
 #include "cli/commands.h"
 #include "cli/stop_signal.h"
@@ -80,7 +81,9 @@ private:
 class SpectrumRun {
 public:
     SpectrumRun(const SpectrumOptions& options, Console& console)
-        : options_(options), console_(console), plan_(plan_scene(read_scene_file(options.scene), scene_files())) {}
+        : options_(options),
+          console_(console),
+          plan_(plan_scene(read_scene_file(options.scene), scene_files(), {{}, true})) {}
 
     int run() {
         const std::vector<Point> points = options_.points.empty() ? points_of_options() : points_of_file();
@@ -104,9 +107,25 @@ private:
         throw Error(where + ": unknown material " + in_quotes(name) + "; known: " + known_like(name, known));
     }
 
-    static void check_angle(double angle_deg, const std::string& where) {
-        if (angle_deg >= 0.0 && angle_deg <= 90.0) return;
-        throw Error(where + ": angle " + number_text(angle_deg) + " is out of range; allowed [0, 90] degrees");
+    static void check_angle(double angle_deg, const Mechanism& mechanism, const std::string& where) {
+        const double most_deg = quantity_of(mechanism) == Quantity::cos_scatter ? 180.0 : 90.0;
+        if (angle_deg >= 0.0 && angle_deg <= most_deg) return;
+        throw Error(where + ": angle " + number_text(angle_deg) + " is out of range; allowed [0, " +
+                    number_text(most_deg) + "] degrees");
+    }
+
+    // What one angle means: of gratings that of the eye, with light along the normal; of scattering that by which light
+    // is turned.
+    static Geometry geometry(const Point& point) {
+        switch (quantity_of(point.material->mechanism)) {
+            case Quantity::grating_u:
+                return Geometry::from_grating_u(std::sin(point.angle_deg * std::numbers::pi / 180.0));
+            case Quantity::cos_scatter:
+                return Geometry::from_cos_scatter(std::cos(point.angle_deg * std::numbers::pi / 180.0));
+            case Quantity::incidence:
+                break;
+        }
+        return Incidence::from_degrees(point.angle_deg);
     }
 
     static void check_known(const Point& point, const std::string& where) {
@@ -128,8 +147,9 @@ private:
         std::vector<Point> points;
         for (const std::string& name : names) {
             for (const double angle_deg : angles_deg) {
-                check_angle(angle_deg, "--angle");
-                points.push_back({&material(name, "--material"), number_text(angle_deg), angle_deg, {}, 0.0});
+                const Material& asked = material(name, "--material");
+                check_angle(angle_deg, asked.mechanism, "--angle");
+                points.push_back({&asked, number_text(angle_deg), angle_deg, {}, 0.0});
             }
         }
         return points;
@@ -149,7 +169,7 @@ private:
                 throw Error(where + ": has " + std::to_string(row.fields.size()) + " columns; give " + heading);
             }
             Point point{&material(row.fields[0], where), row.fields[1], csv_number(options_.points, row, 1), {}, 0.0};
-            check_angle(point.angle_deg,
+            check_angle(point.angle_deg, point.material->mechanism,
                         options_.points + ":" + std::to_string(row.line) + ":" + std::to_string(row.columns[1]));
             if (!options_.xyz) {
                 point.wavelength_text = row.fields[2];
@@ -175,7 +195,7 @@ private:
         Report report(console_, {"material", "angle_deg"}, {"wavelength_nm", "R_s", "R_p", "R"});
         for (const Point& point : points) {
             const std::vector<Response> responses =
-                responses_at(point.material->mechanism, Incidence::from_degrees(point.angle_deg), wavelengths_nm);
+                responses_at(point.material->mechanism, geometry(point), wavelengths_nm);
             for (std::size_t i = 0; i < responses.size(); ++i) {
                 const Response& r = responses[i];
                 report.row({point.material->name, point.angle_text},
@@ -188,8 +208,7 @@ private:
     void print_points(const std::vector<Point>& points) {
         Report report(console_, {"material", "angle_deg", "wavelength_nm"}, {"R_s", "R_p", "T_s", "T_p"});
         for (const Point& point : points) {
-            const Response response =
-                response_at(point.material->mechanism, Incidence::from_degrees(point.angle_deg), point.wavelength_nm);
+            const Response response = response_at(point.material->mechanism, geometry(point), point.wavelength_nm);
             report.row(
                 {point.material->name, point.angle_text, point.wavelength_text},
                 {response.reflectance_s, response.reflectance_p, response.transmittance_s, response.transmittance_p});
@@ -200,8 +219,7 @@ private:
     void print_xyz(const std::vector<Point>& points) {
         Report report(console_, {"material", "angle_deg"}, {"X", "Y", "Z", "X_adapted", "Y_adapted", "Z_adapted"});
         for (const Point& point : points) {
-            const Xyz seen =
-                reflectance_xyz(point.material->mechanism, Incidence::from_degrees(point.angle_deg), *plan_.light);
+            const Xyz seen = reflectance_xyz(point.material->mechanism, geometry(point), *plan_.light);
             const Xyz adapted = adapt(plan_.light->adaptation, seen);
             report.row({point.material->name, point.angle_text},
                        {seen.x, seen.y, seen.z, adapted.x, adapted.y, adapted.z});
@@ -222,7 +240,9 @@ Command add_spectrum_command(CLI::App& app) {
     app.add_option("--material", options->materials, "material of the scene; may be repeated; default: all")
         ->type_name("NAME")
         ->allow_extra_args(false);
-    app.add_option("--angle", options->angles_deg, "degrees from the normal, 0 to 90; default: 0")->type_name("DEG");
+    app.add_option("--angle", options->angles_deg,
+                   "degrees from the normal, 0 to 90 (scattering: by which light is turned, 0 to 180); default: 0")
+        ->type_name("DEG");
     app.add_option("--points", options->points,
                    "CSV of material,angle_deg,wavelength_nm: R_s,R_p,T_s,T_p per row; with --xyz of material,angle_deg")
         ->type_name("FILE")
@@ -233,7 +253,8 @@ Command add_spectrum_command(CLI::App& app) {
         "\nThe exact model, no LUT in between. A palette is opaque: its T is 0, and s and p are alike. Films and "
         "stacks\n"
         "reflect and let through; what is missing to 1 is absorbed. Columns R_s, R_p, R are reflectances of the two\n"
-        "polarisations and of unpolarised light.\n\n"
+        "polarisations and of unpolarised light. Of a grating, lit along its normal, R is power per unit of\n"
+        "sin(angle); of scattering, 1 is a layer that sends all light evenly into all directions.\n\n"
         "Examples:\n"
         "  nacre spectrum configs/scenes/morpho.toml --material morpho --angle 0 20 40\n"
         "  nacre spectrum configs/scenes/soap_film.toml --material soap_film --points points.csv\n");

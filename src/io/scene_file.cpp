@@ -9,6 +9,7 @@
 
 #include "io/curve_csv.h"
 #include "io/shipped_materials.h"
+#include "io/spectra_csv.h"
 #include "io/text_file.h"
 #include "nacre/bake/names.h"
 #include "nacre/bake/text.h"
@@ -187,7 +188,15 @@ SceneFiles scene_files() {
     const auto find = [](const std::string& name, const Where& where) {
         return find_material(name, std::filesystem::path(where.file).parent_path().string(), where.text());
     };
-    return {read_curve, find};
+    const auto read_spectra = [](const std::string& file, const Where& where) {
+        const auto path = std::filesystem::path(where.file).parent_path() / file;
+        try {
+            return read_spectra_csv(path.string());
+        } catch (const IoError& error) {
+            throw Error(where.text() + ": " + error.what());
+        }
+    };
+    return {read_curve, find, read_spectra};
 }
 
 }  // namespace nacre

@@ -42,12 +42,15 @@ Plan plan_of_header(const StoredLut& stored) {
     const auto refuse_file = [](const std::string& file, const Where& where) -> SampledCurve {
         throw Error(where.text() + ": names the file " + file);
     };
+    const auto refuse_spectra = [](const std::string& file, const Where& where) -> MeasuredSpectra {
+        throw Error(where.text() + ": names the file " + file);
+    };
     const auto find_shipped = [](const std::string& name, const Where& where) {
         auto material = shipped_material(name);
         if (!material) throw Error(where.text() + ": names the material " + in_quotes(name));
         return material;
     };
-    Plan plan = plan_scene(parse_scene(scene, "header"), {refuse_file, find_shipped});
+    Plan plan = plan_scene(parse_scene(scene, "header"), {refuse_file, find_shipped, refuse_spectra});
     if (plan.luts.size() != 1 || !plan.swatches.empty()) throw Error("the scene in the header holds more than one LUT");
     const PlannedLut& lut = plan.luts.front();
     const int height = lut.job.y ? lut.wish.height.value_or(0) : 1;

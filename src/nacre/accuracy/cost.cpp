@@ -56,6 +56,7 @@ public:
         const SettledLut settled = settle(lut_, encoding, after_step);
         height_ = settled.lut.job.height;
         lut_.job.sampling = settled.lut.job.sampling;
+        lut_.job.without = settled.lut.job.without;
     }
 
     std::vector<CostCase> all() {
@@ -131,7 +132,12 @@ private:
     }
 
     void add_integrals() {
-        if (needs_sampling(lut_.job.material.mechanism)) return add_samplings();
+        const Mechanism& mechanism = lut_.job.material.mechanism;
+        if (samples_spectra(mechanism)) return add_samplings();
+        if (!std::holds_alternative<Palette>(mechanism)) {
+            add(CostFamily::integral, "exact integral", sized(integral_size), PixelFormat::single_float);
+            return;
+        }
         const Light& light = *lut_.job.light;
         add(CostFamily::integral, "exact integral", sized(integral_size), PixelFormat::single_float);
         Job fast = sized(integral_size);
@@ -148,6 +154,7 @@ private:
     void add_fixed_sizes() {
         if (!lut_.job.x.is_angle()) return;
         for (const AxisKind& kind : axis_kinds()) {
+            if (kind.quantity != lut_.job.x.kind->quantity) continue;
             for (const PixelFormat format : {PixelFormat::half_float, PixelFormat::single_float}) {
                 for (const int size : fixed_sizes) {
                     Job job = sized(size);
@@ -163,7 +170,7 @@ private:
         CostCase& cost = add(CostFamily::mistake, "5 nm sum", sized(mistake_size), PixelFormat::half_float);
         std::function<Image<Xyz>()> colours = [job = cost.job, rival = std::shared_ptr<const Rival>(make_sum_rival(
                                                                    light, 5))] { return bake_with(job, *rival); };
-        if (needs_sampling(cost.job.material.mechanism))
+        if (samples_spectra(cost.job.material.mechanism))
             colours = [job = sampled(cost.job, sum_nodes(light, 5))] { return bake(job); };
         cost.make = [&encoding = encoding_, colours = std::move(colours)] {
             Image<Rgb> image = encoding.to_rgb(colours());
@@ -174,7 +181,8 @@ private:
 
     void add_mistakes() {
         add(CostFamily::mistake, "none of these", sized(mistake_size), PixelFormat::half_float);
-        add_coarse_sum();
+        const Mechanism& mechanism = lut_.job.material.mechanism;
+        if (samples_spectra(mechanism) || std::holds_alternative<Palette>(mechanism)) add_coarse_sum();
         {
             CostCase& cost =
                 add(CostFamily::mistake, "8-bit sRGB texture", sized(mistake_size), PixelFormat::half_float);
@@ -196,7 +204,7 @@ private:
                 return LutPoint{shifted(point.x, width), shifted(point.y, height)};
             };
         }
-        if (!lut_.job.x.is_angle()) return;
+        if (!lut_.job.x.is_angle() || lut_.job.x.kind->quantity != Quantity::incidence) return;
         Job cosine = sized(mistake_size);
         const auto kinds = axis_kinds();
         cosine.x.kind =

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-#include "nacre/bake/layered_colour.h"
+#include "nacre/bake/spectral_sampling.h"
 
 namespace nacre {
 namespace {
@@ -13,9 +13,8 @@ constexpr double most_effort = 1e9;
 }  // namespace
 
 Effort::Effort(const Job& job) {
-    if (!needs_sampling(job.material.mechanism)) return;
-    // A layer more costs about a quarter of what a film costs in all.
-    per_sample_ = 1.0 + 0.25 * expanded_layers(layer_systems(job.material.mechanism, 1).front());
+    if (std::holds_alternative<Palette>(job.material.mechanism)) return;
+    per_sample_ = effort_per_sample(job.material.mechanism);
     if (!job.y) return;
     // Bands of angles by their share of the default axis.
     constexpr std::array<double, band_least_cos_theta.size()> share{0.45, 0.33, 0.16, 0.06};

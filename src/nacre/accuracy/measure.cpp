@@ -7,6 +7,7 @@
 
 #include "nacre/accuracy/reference.h"
 #include "nacre/accuracy/trial.h"
+#include "nacre/bake/layered_colour.h"
 #include "nacre/bake/sampler.h"
 
 namespace nacre {
@@ -29,11 +30,17 @@ std::size_t part_of(std::size_t count, double share) {
 
 double measured_share(const Job& job) {
     const Mechanism mechanism = mechanism_at(job, 0.5, 0.5);
-    if (!needs_sampling(mechanism)) return 1.0;
-    // Reflectances that one colour takes, in units of what films take.
-    const double layers = expanded_layers(layer_systems(mechanism, 1).front());
-    const double fringes = fringe_count(mechanism, job.light->settings);
-    const double cost = job.sampling.realisations * std::max(1.0, layers / 100.0) * std::max(1.0, fringes / 100.0);
+    if (std::holds_alternative<Palette>(mechanism) || std::holds_alternative<MeasuredSpectra>(mechanism)) return 1.0;
+    // What one colour takes, in units of a film's.
+    double cost = 1.0;
+    if (is_layered(mechanism)) {
+        const double layers = expanded_layers(layer_systems(mechanism, 1).front());
+        const double fringes = fringe_count(mechanism, job.light->settings);
+        cost = job.sampling.realisations * std::max(1.0, layers / 100.0) * std::max(1.0, fringes / 100.0);
+    } else if (const auto* scatter = std::get_if<Scatter>(&mechanism)) {
+        cost = 1e-3 * scatter->radius_nm * (scatter->radius_spread > 0.0 ? 96.0 : 1.0);
+    }
+    if (cost <= 1.0) return 1.0;
     return std::clamp(1.0 / std::sqrt(cost), 1.0 / 12.0, 1.0);
 }
 
@@ -85,9 +92,9 @@ std::uint64_t samples_of(const Job& job) {
     std::uint64_t sum = 0;
     for (int row = 0; row < job.height; ++row) {
         for (int column = 0; column < job.width; ++column) {
-            const Incidence incidence =
-                incidence_at(job, coordinate_of_texel(column, job.width), coordinate_of_texel(row, job.height));
-            sum += static_cast<std::uint64_t>(counts[band_of(incidence)]) * realisations;
+            const Geometry geometry =
+                geometry_at(job, coordinate_of_texel(column, job.width), coordinate_of_texel(row, job.height));
+            sum += static_cast<std::uint64_t>(counts[band_of(geometry.incidence)]) * realisations;
         }
     }
     return sum;
@@ -98,9 +105,9 @@ std::uint64_t samples_of(const Job& job) {
 Work bake_work(const Job& job, std::size_t suspects) {
     Work work;
     work.texels = static_cast<std::uint64_t>(job.width) * static_cast<std::uint64_t>(job.height);
-    const bool is_layered = needs_sampling(job.material.mechanism);
+    const bool is_palette = std::holds_alternative<Palette>(job.material.mechanism);
     const auto& wavelengths = job.light->settings.wavelengths;
-    (is_layered || wavelengths        ? work.spectra
+    (!is_palette || wavelengths       ? work.spectra
      : job.integral == Integral::fast ? work.fast_integrals
                                       : work.exact_integrals) = work.texels;
     if (work.spectra > 0) work.samples = samples_of(job);

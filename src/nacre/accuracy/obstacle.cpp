@@ -44,7 +44,7 @@ std::string obstacle(const SettledLut& settled, const SearchEnd& end) {
                error_text(split.spread) + ": give more in [accuracy] realisations";
     }
     if (split.spectrum <= split.interpolation) return between_texels(settled, end);
-    if (needs_sampling(job.material.mechanism))
+    if (!std::holds_alternative<Palette>(job.material.mechanism))
         return integration_text(job) + " cost " + error_text(split.spectrum) + ": leave nodes out, or give more";
     return "the fast integral costs " + error_text(split.spectrum) + ": use integral = \"exact\"";
 }

@@ -10,6 +10,7 @@
 #include "nacre/bake/layered_colour.h"
 #include "nacre/bake/sampler.h"
 #include "nacre/colour/cie_tables.h"
+#include "nacre/optics/reversed.h"
 
 namespace nacre {
 namespace {
@@ -33,11 +34,11 @@ Xyz plus(const Xyz& sum, double factor, const Xyz& term) {
     return {sum.x + factor * term.x, sum.y + factor * term.y, sum.z + factor * term.z};
 }
 
-// Of all systems, by the solver or by its simple twin.
-std::vector<double> mean_reflectances(const std::vector<LayerSystem>& systems, const Incidence& incidence,
-                                      const std::vector<double>& wavelengths_nm, bool by_twin) {
-    std::vector<double> mean(wavelengths_nm.size());
+std::vector<Response> mean_responses(const std::vector<LayerSystem>& systems, const Incidence& incidence,
+                                     const std::vector<double>& wavelengths_nm, bool by_twin) {
+    std::vector<Response> mean(wavelengths_nm.size());
     std::vector<Response> responses(wavelengths_nm.size());
+    const double share = 1.0 / static_cast<double>(systems.size());
     for (const LayerSystem& system : systems) {
         if (by_twin) {
             for (std::size_t i = 0; i < responses.size(); ++i)
@@ -45,11 +46,22 @@ std::vector<double> mean_reflectances(const std::vector<LayerSystem>& systems, c
         } else {
             MultilayerSolver(system, wavelengths_nm).responses(incidence, responses);
         }
-        for (std::size_t i = 0; i < responses.size(); ++i)
-            mean[i] += responses[i].reflectance() / static_cast<double>(systems.size());
+        for (std::size_t i = 0; i < responses.size(); ++i) {
+            mean[i].reflectance_s += share * responses[i].reflectance_s;
+            mean[i].reflectance_p += share * responses[i].reflectance_p;
+            mean[i].transmittance_s += share * responses[i].transmittance_s;
+            mean[i].transmittance_p += share * responses[i].transmittance_p;
+        }
     }
     return mean;
 }
+
+bool has_diffuse_base(const Mechanism& mechanism) {
+    return mechanism.effects.base && !std::holds_alternative<MetalBase>(*mechanism.effects.base);
+}
+
+// A base's factors are looked up on a grid of so many steps per nanometre.
+constexpr int base_steps = 2;
 
 }  // namespace
 
@@ -95,9 +107,64 @@ Xyz Reference::integral(const Lobe& lobe) const {
     return sum;
 }
 
+// Evenly from all directions below: by the midpoint rule in the square of their cosine, graded towards the critical
+// angle, where reflection bends like a root.
+const std::vector<double>& Reference::base_table(const Mechanism& mechanism,
+                                                 const std::vector<LayerSystem>& systems) const {
+    if (base_ && base_->first == mechanism) return base_->second;
+    const LightSettings& light = job_.light->settings;
+    std::vector<double> wavelengths_nm;
+    for (int step = 0; step <= base_steps * (light.last_nm - light.first_nm); ++step)
+        wavelengths_nm.push_back(light.first_nm + static_cast<double>(step) / base_steps);
+    constexpr int directions = 48;
+    std::vector<LayerSystem> from_below;
+    for (const LayerSystem& system : systems) from_below.push_back(reversed(system));
+    const LayerSystem& first = from_below.front();
+    const double ratio = first.index_at(first.substrate, 550.0).real() / first.index_at(first.incident, 550.0).real();
+    const double critical = ratio < 1.0 ? (1.0 - ratio) * (1.0 + ratio) : 0.0;
+    std::vector<double> reflected(wavelengths_nm.size());
+    std::vector<double> passed(wavelengths_nm.size());
+    const bool by_twin = systems.size() == 1 && expanded_layers(first) <= 8.0;
+    const auto add = [&](double begin, double end) {
+        for (int i = 0; i < directions && begin != end; ++i) {
+            // Quadratic steps away from `begin`.
+            const double t = (i + 0.5) / directions;
+            const double weight = std::abs(end - begin) * 2.0 * t / directions;
+            const Incidence incidence = Incidence::from_cos(std::sqrt(std::lerp(begin, end, t * t)));
+            const auto responses = mean_responses(from_below, incidence, wavelengths_nm, by_twin);
+            for (std::size_t k = 0; k < responses.size(); ++k) {
+                reflected[k] += weight * responses[k].reflectance();
+                passed[k] += weight * responses[k].transmittance();
+            }
+        }
+    };
+    add(critical, 0.0);
+    add(critical, 1.0);
+    std::vector<double> factors(wavelengths_nm.size());
+    for (std::size_t k = 0; k < factors.size(); ++k) {
+        const double rho = diffuse_reflectance(*mechanism.effects.base, wavelengths_nm[k]);
+        factors[k] = std::min(rho * passed[k] / std::max(1.0 - rho * reflected[k], 1e-15), 1.0);
+    }
+    base_.emplace(mechanism, std::move(factors));
+    return base_->second;
+}
+
 Xyz Reference::layered(const Mechanism& mechanism, const Incidence& incidence) const {
     const LightSettings& light = job_.light->settings;
-    const std::vector<LayerSystem> systems = layer_systems(mechanism, job_.sampling.realisations);
+    // What the bake did without has no realisations of the bake's.
+    constexpr int enough_realisations = 256;
+    const int realisations = job_.sampling.realisations > 1 ? job_.sampling.realisations : enough_realisations;
+    const std::vector<LayerSystem> systems = layer_systems(mechanism, realisations);
+    const std::vector<double>* base = has_diffuse_base(mechanism) ? &base_table(mechanism, systems) : nullptr;
+    const auto seen = [&](const Response& response, double nm) {
+        const Polarisation polarisation = mechanism.effects.polarisation;
+        double reflectance = reflectance_of(response, polarisation);
+        if (base == nullptr) return reflectance;
+        const double position = base_steps * (nm - light.first_nm);
+        const auto cell = std::min(static_cast<std::size_t>(position), base->size() - 2);
+        const double factor = std::lerp((*base)[cell], (*base)[cell + 1], position - static_cast<double>(cell));
+        return reflectance + factor * transmittance_of(response, polarisation);
+    };
     const double range_per_nm = 1.0 / light.first_nm - 1.0 / light.last_nm;
     const double path_nm = fringe_count(mechanism, light) / range_per_nm;
     // Towards grazing light every face is a mirror, and fringes become sharp.
@@ -118,9 +185,9 @@ Xyz Reference::layered(const Mechanism& mechanism, const Incidence& incidence) c
         if (wavelengths_nm.size() < enough && nm + 1 < light.last_nm) continue;
         // Fringes by the million are for the fast road.
         const bool is_plain = systems.size() == 1 && parts < 16 && expanded_layers(systems.front()) <= most_twin_layers;
-        const std::vector<double> reflectances = mean_reflectances(systems, incidence, wavelengths_nm, is_plain);
-        for (std::size_t i = 0; i < reflectances.size(); ++i)
-            sum = plus(sum, shares[i] * reflectances[i], weight_at(wavelengths_nm[i]));
+        const std::vector<Response> responses = mean_responses(systems, incidence, wavelengths_nm, is_plain);
+        for (std::size_t i = 0; i < responses.size(); ++i)
+            sum = plus(sum, shares[i] * seen(responses[i], wavelengths_nm[i]), weight_at(wavelengths_nm[i]));
         wavelengths_nm.clear();
         shares.clear();
     }
@@ -129,9 +196,9 @@ Xyz Reference::layered(const Mechanism& mechanism, const Incidence& incidence) c
 
 Xyz Reference::at(double x, double y) const {
     const Mechanism mechanism = mechanism_at(job_, x, y);
-    const Incidence incidence = incidence_at(job_, x, y);
-    const auto* palette = std::get_if<Palette>(&mechanism);
-    const Xyz seen = palette != nullptr ? integral(palette_lobe(*palette, incidence)) : layered(mechanism, incidence);
+    const Geometry geometry = geometry_at(job_, x, y);
+    const Xyz seen =
+        mechanism.effects.tilt_deg > 0.0 ? tilted(mechanism, geometry.incidence) : flat(mechanism, geometry);
     return adapt(adaptation_, seen);
 }
 

@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <numbers>
+
+#include "nacre/bake/bends.h"
 
 namespace nacre {
 namespace {
@@ -220,34 +221,13 @@ std::vector<double> with_steep_stretches(std::vector<double> bends) {
     return all;
 }
 
-// Where total reflection begins: the reflectance bends there like a square root. Where the index depends on the
-// wavelength there is an angle for each, and the sum over them is smooth.
-std::vector<double> critical_angles_deg(const LayerSystem& system) {
-    constexpr double any_nm = 550.0;
-    constexpr std::size_t most_angles = 32;
-    const double n0 = system.index_at(system.incident, any_nm).real();
-    std::vector<double> angles_deg;
-    for (std::size_t i = 0; i < system.media.size() && angles_deg.size() < most_angles; ++i) {
-        const auto curve = static_cast<std::size_t>(system.media[i].curve);
-        const Index& index = system.curves[curve];
-        if (!index.is_constant() || index.constant.imag() != 0.0 || index.constant.real() >= n0) continue;
-        angles_deg.push_back(std::asin(index.constant.real() / n0) * 180.0 / std::numbers::pi);
-    }
-    return angles_deg;
-}
-
 }  // namespace
 
 std::vector<double> landmarks(const Job& job, double y) {
     if (!job.x.is_angle()) return {};
     const Mechanism mechanism = mechanism_at(job, 0.0, y);
-    struct Angles {
-        std::vector<double> operator()(const Palette& palette) const { return palette_bends_deg(palette); }
-        std::vector<double> operator()(const Film& film) const { return critical_angles_deg(layer_system(film)); }
-        std::vector<double> operator()(const Stack& stack) const { return critical_angles_deg(layer_system(stack)); }
-    };
     std::vector<double> bends;
-    for (const double angle_deg : std::visit(Angles{}, mechanism))
+    for (const double angle_deg : bends_deg(mechanism))
         bends.push_back(std::clamp(job.x.kind->coordinate(Incidence::from_degrees(angle_deg).cos_theta), 0.0, 1.0));
     std::sort(bends.begin(), bends.end());
     // A clamp that begins at a pick is found beside it by the last bits.

@@ -30,6 +30,8 @@ constexpr double share_of_nodes = 0.08;
 constexpr double share_of_curve = 0.005;
 // And the mean of an irregular stack, which converges slowly.
 constexpr double share_of_spread = 0.3;
+// And each of the other means: of directions below a base, of facets, of radii.
+constexpr double share_of_quadrature = 0.04;
 
 // Points at which integrals are compared, and slices are laid through a 2D LUT.
 constexpr int survey_columns = 65;
@@ -63,15 +65,17 @@ public:
 
 private:
     Job& job() { return result_.lut.job; }
-    bool is_layered() const { return needs_sampling(result_.lut.job.material.mechanism); }
+    bool is_palette() const { return std::holds_alternative<Palette>(result_.lut.job.material.mechanism); }
     bool samples() const { return result_.lut.job.light->settings.wavelengths.has_value(); }
     // A scene that insists on its wavelengths and gives no bound is only judged by what the LUT adds to their error.
     bool model_samples() const { return samples() && !wish_.has_bound; }
     // Whether the error of the spectrum is not in what a scan finds, because the model has it too.
-    bool adds_spectrum() const { return model_samples() || (is_layered() && !samples()); }
+    bool adds_spectrum() const { return model_samples() || (!is_palette() && !samples()); }
+    // Whether sums whose error no LUT helps against are part of it.
+    bool adds_means() const { return result_.predicted.spread > 0.0 || result_.predicted.quadrature > 0.0; }
     double fast_share() const { return share_of_fast * wish_.max_de00; }
     bool may_still_be_exact() const {
-        return result_.lut.job.integral == Integral::fast && !wish_.integral && !samples() && !is_layered();
+        return result_.lut.job.integral == Integral::fast && !wish_.integral && !samples() && is_palette();
     }
 
     SettledLut settle_blindly() {
@@ -89,33 +93,42 @@ private:
         return std::move(result_);
     }
 
+    // How colours are sampled, and which effects are worth it.
     void choose_nodes() {
-        ChosenSampling chosen =
-            choose_sampling(job(), share_of_nodes * wish_.max_de00, share_of_spread * wish_.max_de00,
-                            {wish_.nodes.value_or(NodeCounts{}), wish_.realisations.value_or(0)}, after_step_);
+        job().without = wish_.without;
+        const double bound = wish_.max_de00;
+        const bool may_drop = wish_.may_drop_effects && wish_.has_bound && encoding_.to_xyz;
+        const SamplingTolerance tolerance{share_of_nodes * bound, share_of_spread * bound, share_of_quadrature * bound,
+                                          may_drop ? share_of_effects * bound : 0.0};
+        ChosenSampling chosen = choose_sampling(
+            job(), tolerance, {wish_.nodes.value_or(NodeCounts{}), wish_.realisations.value_or(0), wish_.points},
+            after_step_);
         job().sampling = chosen.sampling;
+        job().without = chosen.without;
+        result_.effects = std::move(chosen.effects);
         result_.predicted.spectrum = chosen.error;
         result_.predicted.spread = chosen.spread_error;
-        result_.work.spectra += static_cast<std::uint64_t>(chosen.spectra);
+        result_.predicted.quadrature = chosen.quadrature_error;
+        result_.predicted.effects = chosen.effects_error;
+        result_.work += chosen.work;
         effort_ = Effort(job());
     }
 
-    // How bright a film or stack is, and what its nodes cost.
-    void survey_layers() {
-        choose_nodes();
+    // How bright a material is that is no palette, and what its nodes cost.
+    void survey_spectra() {
         Job sample = job();
         sample.width = survey_columns;
         sample.height = sample.y ? survey_rows : 1;
         const Image<Xyz> colours = bake(sample, {}, &result_.work);
         scale_ = display_scale(colours);
-        if (!job().y && !samples()) {
-            curve_.emplace(job(), share_of_curve * wish_.max_de00, scale_, after_step_);
-            result_.work += curve_->work();
-        }
+        if (!samples()) make_curve();
         if (!samples()) return;
         sample.light = without_wavelengths(sample.light);
-        sample.sampling =
-            choose_sampling(sample, share_of_nodes * wish_.max_de00, 0.0, {{}, sample.sampling.realisations}).sampling;
+        const SpectralSampling& had = sample.sampling;
+        const double bound = wish_.max_de00;
+        sample.sampling = choose_sampling(sample, {share_of_nodes * bound, 0.0, share_of_quadrature * bound, 0.0},
+                                          {{}, had.realisations, {had.hemisphere, had.tilt, had.sizes}})
+                              .sampling;
         const Image<Xyz> truth = bake(sample, {}, &result_.work);
         for (std::size_t i = 0; i < truth.size(); ++i) {
             result_.predicted.spectrum =
@@ -125,7 +138,8 @@ private:
 
     // How bright the LUT is, and what each way to integrate a spectrum costs.
     void survey() {
-        if (is_layered()) return survey_layers();
+        choose_nodes();
+        if (!is_palette()) return survey_spectra();
         Job exact = job();
         exact.integral = Integral::exact;
         exact.light = without_wavelengths(exact.light);
@@ -142,6 +156,16 @@ private:
         const bool takes_cheap = samples() || wish_.integral || error <= fast_share();
         job().integral = takes_cheap ? cheap.integral : Integral::exact;
         result_.predicted.spectrum = takes_cheap ? error : 0.0;
+        // Facets make every colour dear.
+        if (job().sampling.tilt.rings > 0 && !samples()) make_curve();
+    }
+
+    void make_curve() {
+        if (job().y) return;
+        Job model = job();
+        model.integral = Integral::exact;
+        curve_.emplace(model, share_of_curve * wish_.max_de00, scale_, after_step_);
+        result_.work += curve_->work();
     }
 
     // What the fast integral errs by where the survey did not look.
@@ -163,10 +187,12 @@ private:
     // The error that a scan of a candidate may find. The model is the true integral, so the spectrum's error is in it.
     double limit() const {
         const double bound = (result_.lut.job.y ? of_bound_in_2d : of_bound_in_1d) * wish_.max_de00;
-        if (!is_layered() || !adds_spectrum()) return bound;
+        const ErrorSplit& split = result_.predicted;
+        const double rest = bound - (curve_ ? share_of_curve * wish_.max_de00 : 0.0) - split.effects -
+                            std::min(split.quadrature, 0.25 * bound);
+        if (is_palette() || !adds_spectrum()) return rest;
         // A larger LUT would not help against a mean that is too rough: what it leaves is not taken beyond a half.
-        return bound - (curve_ ? share_of_curve * wish_.max_de00 : 0.0) - result_.predicted.spectrum -
-               std::min(result_.predicted.spread, 0.5 * bound);
+        return rest - split.spectrum - std::min(split.spread, 0.5 * bound);
     }
 
     Trial trial_of(const Job& at_size, const Candidate& candidate, double scale = 0.0) const {
@@ -187,7 +213,7 @@ private:
     void take(const Candidate& candidate, const Trial& trial, Scan scan) {
         take(candidate);
         result_.predicted.total = scan.largest + (adds_spectrum() ? result_.predicted.spectrum : 0.0);
-        result_.predicted.total += result_.predicted.spread;
+        result_.predicted.total += result_.predicted.spread + result_.predicted.quadrature + result_.predicted.effects;
         result_.worst = std::move(scan.worst);
         storage_error_ = trial.storage_error();
     }
@@ -221,7 +247,7 @@ private:
         for (const double at : slices) {
             Job slice = job();
             slice.material.mechanism = is_x ? mechanism_at(job(), 0.0, at) : mechanism_at(job(), at, 0.0);
-            slice.angle_deg = is_x ? incidence_at(job(), 0.0, at).theta_deg : incidence_at(job(), at, 0.0).theta_deg;
+            slice.fixed = is_x ? geometry_at(job(), 0.0, at) : geometry_at(job(), at, 0.0);
             if (!is_x) slice.x = *job().y;
             slice.y.reset();
             smallest = smallest_1d(slice, smallest);
@@ -253,8 +279,7 @@ private:
                 const bool fits = scan.largest <= limit();
                 take(candidate, trial, std::move(scan));
                 // The mean of an irregular stack may be too rough for any LUT.
-                result_.is_reached =
-                    fits && (result_.predicted.spread == 0.0 || result_.predicted.total <= wish_.max_de00);
+                result_.is_reached = fits && (!adds_means() || result_.predicted.total <= wish_.max_de00);
                 return true;
             }
             remember(scan.at);
@@ -342,7 +367,7 @@ private:
     SettledLut result_;
     double scale_ = 1.0;
     double storage_error_ = 0.0;
-    std::optional<ModelCurve> curve_;  // of films and stacks in 1D
+    std::optional<ModelCurve> curve_;  // of what is dear, in 1D
     Effort effort_;
     std::vector<Candidate> candidates_;
     bool is_hopeless_ = false;  // no candidate can keep the bound

@@ -16,18 +16,21 @@ struct ErrorSplit {
     double total = 0.0;          ///< not the sum: the worst points of the parts need not coincide
     double spectrum = 0.0;       ///< of how spectra become XYZ
     double spread = 0.0;         ///< of an irregular stack's mean: of how many realisations it is taken
+    double quadrature = 0.0;     ///< of a base's directions, of facets, of radii
+    double effects = 0.0;        ///< of effects that are left out
     double interpolation = 0.0;  ///< of the linear filter between exact texels
     double storage = 0.0;        ///< of the number format, at the texels
 };
 
 /// A LUT with nothing left open.
 struct SettledLut {
-    PlannedLut lut;               ///< size, format and integral decided
-    ErrorSplit predicted;         ///< by the bake's own code, looked for at all coordinates
-    std::vector<LutPoint> worst;  ///< where it errs most, the worst first: measure() goes there
-    bool is_reached = true;       ///< whether the wish is met
-    std::string obstacle;         ///< if not, what stands in the way and what would help: "half costs 0.07: use float"
-    Work work;                    ///< what deciding took
+    PlannedLut lut;                     ///< size, format and integral decided
+    ErrorSplit predicted;               ///< by the bake's own code, looked for at all coordinates
+    std::vector<EffectChoice> effects;  ///< those of the material, and what became of each
+    std::vector<LutPoint> worst;        ///< where it errs most, the worst first: measure() goes there
+    bool is_reached = true;             ///< whether the wish is met
+    std::string obstacle;  ///< if not, what stands in the way and what would help: "half costs 0.07: use float"
+    Work work;             ///< what deciding took
 };
 
 /// Picks the cheapest LUT that errs by no more than the wish allows: the fewest bytes; of equals the one in half, which
@@ -37,11 +40,16 @@ struct SettledLut {
 /// because the place where the last one failed is tried first. If none fits, the result is the best there is (in 2D, of
 /// those up to a million texels).
 ///
+/// An effect whose contribution at probes stays below its part of `share_of_effects` of the bound is left out, if the
+/// wish allows it.
+///
 /// Of the integrals `fast` is taken if it costs less than a fiftieth of the bound.
 /// @throws Error if the encoding has no way back to XYZ and the wish is binding
 /// @param after_step  called every few hundred points; what it throws ends the search
 SettledLut settle(const PlannedLut& lut, const Encoding& encoding, const AfterRow& after_step = {});
 
 inline constexpr int most_settled_texels = 1 << 22;
+/// What effects that are left out may take of a bound, all of them together.
+inline constexpr double share_of_effects = 0.1;
 
 }  // namespace nacre

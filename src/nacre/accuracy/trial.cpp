@@ -32,8 +32,12 @@ Job model_of(Job job, bool sampled) {
     job.integral = Integral::exact;
     if (sampled || !job.light->settings.wavelengths) return job;
     job.light = without_wavelengths(job.light);
-    if (needs_sampling(job.material.mechanism))
-        job.sampling = choose_sampling(job, 1e-3, 0.0, {{}, job.sampling.realisations}).sampling;
+    if (needs_sampling(job)) {
+        const SpectralSampling& had = job.sampling;
+        job.sampling =
+            choose_sampling(job, {1e-3, 0.0, 1e-3, 0.0}, {{}, had.realisations, {had.hemisphere, had.tilt, had.sizes}})
+                .sampling;
+    }
     return job;
 }
 

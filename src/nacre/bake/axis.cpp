@@ -17,9 +17,11 @@ const AxisKind* find_kind(std::string_view name) {
     return found == kinds.end() ? nullptr : &*found;
 }
 
-std::vector<std::string> kind_names() {
+std::vector<std::string> kind_names(Quantity quantity) {
     std::vector<std::string> names;
-    for (const AxisKind& kind : axis_kinds()) names.emplace_back(kind.name);
+    for (const AxisKind& kind : axis_kinds()) {
+        if (kind.quantity == quantity) names.emplace_back(kind.name);
+    }
     return names;
 }
 
@@ -45,9 +47,9 @@ double Axis::parameter_value(double coordinate) const {
     return std::lerp(from, to, coordinate);
 }
 
-Axis default_axis() {
+Axis default_axis(Quantity quantity) {
     Axis axis;
-    axis.kind = &axis_kinds().front();
+    axis.kind = &default_axis_kind(quantity);
     return axis;
 }
 
@@ -66,8 +68,13 @@ Axis read_axis(const Table& lut, std::string_view key, const Value& value, const
         const std::string& name = lut.checked_text(key, value);
         Axis axis;
         axis.kind = find_kind(name);
-        if (axis.kind == nullptr) {
-            lut.fail(value.where, "unknown axis " + in_quotes(name) + "; known: " + comma_separated(kind_names()) +
+        const Quantity quantity = quantity_of(mechanism);
+        if (axis.kind == nullptr || axis.kind->quantity != quantity) {
+            const std::string what = axis.kind == nullptr
+                                         ? "unknown axis " + in_quotes(name)
+                                         : "axis " + in_quotes(name) + " means nothing for mechanism " +
+                                               std::string(mechanism_name(mechanism));
+            lut.fail(value.where, what + "; known: " + comma_separated(kind_names(quantity)) +
                                       ", or { parameter = \"...\", from = ..., to = ... }");
         }
         return axis;

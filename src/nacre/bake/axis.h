@@ -4,7 +4,6 @@
 
 #include "nacre/bake/axis_kinds.h"
 #include "nacre/bake/mechanism.h"
-#include "nacre/optics/incidence.h"
 
 namespace nacre {
 
@@ -20,8 +19,8 @@ struct Axis {
     double parameter_value(double coordinate) const;
 };
 
-/// The default of a LUT's x.
-Axis default_axis();
+/// The default of a LUT's x, for mechanisms that depend on that quantity.
+Axis default_axis(Quantity quantity = Quantity::incidence);
 
 /// Reads `x = "cos_theta"` or `x = { parameter = "height", from = 0, to = 1 }`.
 /// @param key  "x" or "y"

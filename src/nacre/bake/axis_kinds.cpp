@@ -1,5 +1,6 @@
 #include "nacre/bake/axis_kinds.h"
 
+#include <algorithm>
 #include <array>
 #include <cassert>
 #include <cmath>
@@ -30,22 +31,59 @@ double cos_of_quarter_turns(double quarter_turns) {
     return std::sin((1.0 - quarter_turns) * 0.5 * std::numbers::pi);
 }
 
-Incidence incidence_of_quarter_turns(double quarter_turns) {
+Geometry from_sqrt_cos(double coordinate) {
+    return Incidence::from_sqrt_cos(coordinate);
+}
+Geometry from_cos(double coordinate) {
+    return Incidence::from_cos(coordinate);
+}
+Geometry from_quarter_turns(double quarter_turns) {
     return Incidence::from_degrees(90.0 * quarter_turns);
 }
 
-constexpr std::array<AxisKind, 3> kinds{{
-    {"sqrt_cos_theta", "square root of the cosine: most texels where iridescent colour changes fastest", square_root,
-     square, Incidence::from_sqrt_cos, "sqrt(c)"},
-    {"cos_theta", "the cosine itself: for engines that fix this axis", identity, identity, Incidence::from_cos, "c"},
-    {"theta_deg", "the angle, 0 to 90 degrees: even steps of angle", quarter_turns_of_cos, cos_of_quarter_turns,
-     incidence_of_quarter_turns, "1.2732395447 * atan(sqrt((1.0 - c) / (1.0 + c)))"},
+double half(double u) {
+    return 0.5 * std::abs(u);
+}
+double twice(double coordinate) {
+    return 2.0 * coordinate;
+}
+Geometry from_half_u(double coordinate) {
+    return Geometry::from_grating_u(twice(coordinate));
+}
+
+double raised(double cos_scatter) {
+    return 0.5 + 0.5 * cos_scatter;
+}
+double lowered(double coordinate) {
+    return 2.0 * coordinate - 1.0;
+}
+Geometry from_raised(double coordinate) {
+    return Geometry::from_cos_scatter(lowered(coordinate));
+}
+
+constexpr std::array<AxisKind, 5> kinds{{
+    {"sqrt_cos_theta", Quantity::incidence,
+     "square root of the cosine: most texels where iridescent colour changes fastest", "cos_theta", 0.0, 1.0,
+     square_root, square, from_sqrt_cos, "sqrt(c)"},
+    {"cos_theta", Quantity::incidence, "the cosine itself: for engines that fix this axis", "cos_theta", 0.0, 1.0,
+     identity, identity, from_cos, "c"},
+    {"theta_deg", Quantity::incidence, "the angle, 0 to 90 degrees: even steps of angle", "cos_theta", 0.0, 1.0,
+     quarter_turns_of_cos, cos_of_quarter_turns, from_quarter_turns,
+     "1.2732395447 * atan(sqrt((1.0 - c) / (1.0 + c)))"},
+    {"grating_u", Quantity::grating_u, "gratings: dot(L + V, t), t the direction across the grooves; either sign", "u",
+     -2.0, 2.0, half, twice, from_half_u, "0.5 * abs(c)"},
+    {"cos_scatter", Quantity::cos_scatter, "scattering: the cosine by which light is turned, dot(-L, V)", "cos_scatter",
+     -1.0, 1.0, raised, lowered, from_raised, "0.5 + 0.5 * c"},
 }};
 
 }  // namespace
 
 std::span<const AxisKind> axis_kinds() {
     return kinds;
+}
+
+const AxisKind& default_axis_kind(Quantity quantity) {
+    return *std::find_if(kinds.begin(), kinds.end(), [&](const AxisKind& kind) { return kind.quantity == quantity; });
 }
 
 double coordinate_of_texel(int texel, int size) {

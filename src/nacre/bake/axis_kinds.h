@@ -3,25 +3,30 @@
 #include <span>
 #include <string_view>
 
-#include "nacre/optics/incidence.h"
+#include "nacre/bake/geometry.h"
 
 namespace nacre {
 
-/// One geometric axis: how a bake and a shader map cos(theta) to [0, 1].
+/// One geometric axis: how a bake and a shader map a quantity, such as cos(theta), to [0, 1].
 ///
 /// Both directions are written in double for the bake and once more, as text, for the shader; a test compares
 /// them on a graphics pipeline.
 struct AxisKind {
-    std::string_view name;                      ///< what a scene file says
-    std::string_view description;               ///< half a line; may follow `// ` in a shader
-    double (*coordinate)(double cos_theta);     ///< [0, 1] -> [0, 1]
-    double (*cos_theta)(double coordinate);     ///< its inverse, [0, 1] -> [0, 1]; end points are exact
-    Incidence (*incidence)(double coordinate);  ///< the same with the angle beside the cosine, to full accuracy
-    std::string_view shader_expression;         ///< `coordinate` in terms of c, valid both as GLSL and as HLSL
+    std::string_view name;         ///< what a scene file says
+    Quantity quantity;             ///< what it is an axis of: fits mechanisms that depend on that
+    std::string_view description;  ///< half a line; may follow `// ` in a shader
+    std::string_view argument;     ///< what a shader has: "cos_theta", "u", "cos_scatter"
+    double low;                    ///< the argument is in [low, high]
+    double high;
+    double (*coordinate)(double argument);     ///< -> [0, 1]
+    double (*argument_at)(double coordinate);  ///< its inverse on [0, 1]; end points are exact
+    Geometry (*geometry)(double coordinate);   ///< the same, to full accuracy: with the angle beside the cosine
+    std::string_view shader_expression;        ///< `coordinate` in terms of c, valid both as GLSL and as HLSL
 };
 
-/// All geometric axes, a closed list; the first is the default.
+/// All geometric axes, a closed list; the first of a quantity is its default.
 std::span<const AxisKind> axis_kinds();
+const AxisKind& default_axis_kind(Quantity quantity);
 
 /// Coordinate in [0, 1] of a texel's centre: the first and the last texel are the ends of the axis.
 /// @pre 0 <= texel < size; the only texel of an axis of size 1 is at 0

@@ -1,60 +1,214 @@
 #include "nacre/bake/layered_colour.h"
 
+#include <algorithm>
+#include <cmath>
 #include <utility>
 
+#include "nacre/optics/gauss_points.h"
 #include "nacre/optics/irregular.h"
+#include "nacre/optics/reversed.h"
 
 namespace nacre {
 namespace {
 
-struct Regular {
-    LayerSystem operator()(const Palette&) const { return {}; }
-    LayerSystem operator()(const Film& film) const { return layer_system(film); }
-    LayerSystem operator()(const Stack& stack) const { return layer_system(stack); }
-};
+// Without spread and base. @pre is_layered(mechanism)
+LayerSystem regular_system(const Mechanism& mechanism) {
+    if (const auto* film = std::get_if<Film>(&mechanism)) return layer_system(*film);
+    if (const auto* stack = std::get_if<Stack>(&mechanism)) return layer_system(*stack);
+    return layer_system(std::get<Crystal>(mechanism), crystal_slices);
+}
 
-struct Spread {
-    double operator()(const Palette&) const { return 0.0; }
-    double operator()(const Film& film) const { return film.thickness_spread_nm; }
-    double operator()(const Stack& stack) const { return stack.thickness_spread_nm; }
-};
+const MetalBase* metal_base(const Effects& effects) {
+    return effects.base ? std::get_if<MetalBase>(&*effects.base) : nullptr;
+}
+
+const Base* diffuse_base(const Effects& effects) {
+    return effects.base && metal_base(effects) == nullptr ? &*effects.base : nullptr;
+}
+
+// What was the substrate becomes a layer in which nothing interferes, and nothing is lost.
+void add_metal(const MetalBase& base, LayerSystem& system) {
+    LayerNode gap;
+    gap.medium = system.substrate;
+    gap.is_incoherent = true;
+    system.nodes.push_back(gap);
+    system.curves.push_back(base.metal);
+    const auto curve = static_cast<int>(system.curves.size()) - 1;
+    system.media.push_back({curve, curve, 0.0, Mixing::index});
+    system.substrate = static_cast<int>(system.media.size()) - 1;
+}
+
+// The standard normal's quantile by bisection of its distribution: this is asked a few hundred times.
+double normal_quantile(double share) {
+    double low = -9.0;
+    double high = 9.0;
+    while (high - low > 1e-14) {
+        const double middle = 0.5 * (low + high);
+        (0.5 * std::erfc(-middle / std::sqrt(2.0)) < share ? low : high) = middle;
+    }
+    return 0.5 * (low + high);
+}
+
+// Domains of a crystal: each is regular, and their spacings are a normal variable.
+std::vector<LayerSystem> crystal_domains(const Crystal& crystal, int count) {
+    std::vector<LayerSystem> systems;
+    const double spacing_nm = plane_spacing_nm(crystal);
+    for (int i = 0; i < count; ++i) {
+        const double deviation_nm = crystal.thickness_spread_nm * normal_quantile((i + 0.5) / count);
+        const double factor = std::max(spacing_nm + deviation_nm, 0.05 * spacing_nm) / spacing_nm;
+        Crystal domain = crystal;
+        domain.diameter_nm *= factor;
+        domain.spacing_nm *= factor;
+        systems.push_back(layer_system(domain, crystal_slices));
+    }
+    return systems;
+}
+
+double spread_of(const Mechanism& mechanism) {
+    if (const auto* film = std::get_if<Film>(&mechanism)) return film->thickness_spread_nm;
+    if (const auto* stack = std::get_if<Stack>(&mechanism)) return stack->thickness_spread_nm;
+    if (const auto* crystal = std::get_if<Crystal>(&mechanism)) return crystal->thickness_spread_nm;
+    return 0.0;
+}
 
 }  // namespace
 
-bool needs_sampling(const Mechanism& mechanism) {
-    return !std::holds_alternative<Palette>(mechanism);
-}
-
 bool is_irregular(const Mechanism& mechanism) {
-    return std::visit(Spread{}, mechanism) > 0.0;
+    return spread_of(mechanism) > 0.0;
 }
 
 std::vector<LayerSystem> layer_systems(const Mechanism& mechanism, int realisations,
                                        std::span<const std::size_t> blurred) {
-    LayerSystem regular = std::visit(Regular{}, mechanism);
+    LayerSystem regular = regular_system(mechanism);
     for (const std::size_t node : blurred) regular.nodes[node].is_incoherent = true;
-    const double spread_nm = std::visit(Spread{}, mechanism);
-    if (spread_nm == 0.0 || realisations < 2) return {std::move(regular)};
-    return irregular_systems(regular, spread_nm, realisations);
+    const double spread_nm = spread_of(mechanism);
+    std::vector<LayerSystem> systems;
+    if (spread_nm == 0.0 || realisations < 2) {
+        systems = {std::move(regular)};
+    } else if (const auto* crystal = std::get_if<Crystal>(&mechanism)) {
+        systems = crystal_domains(*crystal, realisations);
+    } else {
+        systems = irregular_systems(regular, spread_nm, realisations);
+    }
+    if (const MetalBase* metal = metal_base(mechanism.effects)) {
+        for (LayerSystem& system : systems) add_metal(*metal, system);
+    }
+    return systems;
+}
+
+std::vector<double> base_factors(const Base& base, const std::vector<LayerSystem>& systems,
+                                 std::span<const double> wavelengths_nm, int points, Work* work) {
+    constexpr double any_nm = 550.0;
+    const std::size_t count = wavelengths_nm.size();
+    const auto rule = unit_gauss_legendre(points);
+    std::vector<double> reflected(count, 0.0);  // of light that comes evenly from below
+    std::vector<double> passed(count, 0.0);
+    std::vector<Response> responses(count);
+    const double share = 1.0 / static_cast<double>(systems.size());
+    for (const LayerSystem& system : systems) {
+        const LayerSystem from_below = reversed(system);
+        const MultilayerSolver solver(from_below, wavelengths_nm);
+        // Directions by the square of their cosine: then all of them count alike. Beyond the critical angle nothing
+        // gets out.
+        const double ratio = from_below.index_at(from_below.substrate, any_nm).real() /
+                             from_below.index_at(from_below.incident, any_nm).real();
+        const double critical = ratio < 1.0 ? (1.0 - ratio) * (1.0 + ratio) : 0.0;
+        const auto add = [&](double from, double to) {
+            if (!(to > from)) return;
+            for (const GaussPoint& point : rule) {
+                solver.responses(Incidence::from_cos(std::sqrt(std::lerp(from, to, point.at))), responses);
+                const double weight = share * (to - from) * point.weight;
+                for (std::size_t i = 0; i < count; ++i) {
+                    reflected[i] += weight * responses[i].reflectance();
+                    passed[i] += weight * responses[i].transmittance();
+                }
+                if (work == nullptr) continue;
+                ++work_of(work->effects, Effect::base).points;
+                ++work_of(work->effects, Effect::base).spectra;
+                work->samples += count;
+            }
+        };
+        add(0.0, critical);
+        add(critical, 1.0);
+    }
+    std::vector<double> factors(count);
+    for (std::size_t i = 0; i < count; ++i) {
+        const double rho = diffuse_reflectance(base, wavelengths_nm[i]);
+        // A white base under layers that let nothing out: then nothing comes in either.
+        const double left = std::max(1.0 - rho * reflected[i], 1e-15);
+        factors[i] = std::min(rho * passed[i] / left, 1.0);
+    }
+    return factors;
 }
 
 LayeredColour::LayeredColour(const Mechanism& mechanism, SpectralSampling sampling)
-    : sampling_(std::move(sampling)), systems_(layer_systems(mechanism, sampling_.realisations, sampling_.blurred)) {}
+    : sampling_(std::move(sampling)),
+      effects_(mechanism.effects),
+      systems_(layer_systems(mechanism, sampling_.realisations, sampling_.blurred)) {}
 
-Xyz LayeredColour::at(const Incidence& incidence) {
-    const std::size_t band = band_of(incidence);
-    const SpectralNodes& nodes = *sampling_.nodes[band];
-    if (solvers_[band].empty()) {
-        for (const LayerSystem& system : systems_) solvers_[band].emplace_back(system, nodes.wavelength_nm);
-    }
+LayeredColour::Band& LayeredColour::band_at(std::size_t index, Work* work) {
+    Band& band = bands_[index];
+    if (!band.solvers.empty()) return band;
+    const SpectralNodes& nodes = *sampling_.nodes[index];
+    for (const LayerSystem& system : systems_) band.solvers.emplace_back(system, nodes.wavelength_nm);
+    if (const Base* base = diffuse_base(effects_))
+        band.base_factors = base_factors(*base, systems_, nodes.wavelength_nm, sampling_.hemisphere, work);
+    return band;
+}
+
+Xyz LayeredColour::with_base(const Band& band, const SpectralNodes& nodes, const Incidence& incidence) const {
+    std::vector<Response> responses(nodes.wavelength_nm.size());
     Xyz sum;
-    for (const MultilayerSolver& solver : solvers_[band]) {
-        const auto [x, y, z] =
-            solver.weighted_reflectances(incidence, {nodes.x.data(), nodes.y.data(), nodes.z.data()});
-        sum = {sum.x + x, sum.y + y, sum.z + z};
+    for (const MultilayerSolver& solver : band.solvers) {
+        solver.responses(incidence, responses);
+        for (std::size_t i = 0; i < responses.size(); ++i) {
+            const double seen = reflectance_of(responses[i], effects_.polarisation) +
+                                transmittance_of(responses[i], effects_.polarisation) * band.base_factors[i];
+            sum = {sum.x + seen * nodes.x[i], sum.y + seen * nodes.y[i], sum.z + seen * nodes.z[i]};
+        }
     }
+    return sum;
+}
+
+Xyz LayeredColour::at(const Incidence& incidence, Work* work) {
+    const std::size_t index = band_of(incidence);
+    const SpectralNodes& nodes = *sampling_.nodes[index];
+    const Band& band = band_at(index, work);
+    Xyz sum;
+    if (!band.base_factors.empty()) {
+        sum = with_base(band, nodes, incidence);
+    } else {
+        for (const MultilayerSolver& solver : band.solvers) {
+            const auto [x, y, z] = solver.weighted_reflectances(
+                incidence, {nodes.x.data(), nodes.y.data(), nodes.z.data()}, effects_.polarisation);
+            sum = {sum.x + x, sum.y + y, sum.z + z};
+        }
+    }
+    if (work != nullptr) count(nodes, *work);
     const double share = 1.0 / static_cast<double>(systems_.size());
     return {share * sum.x, share * sum.y, share * sum.z};
+}
+
+void LayeredColour::count(const SpectralNodes& nodes, Work& work) const {
+    const auto spectra = static_cast<std::uint64_t>(systems_.size());
+    const auto samples = static_cast<std::uint64_t>(nodes.count) * spectra;
+    ++work.spectra;
+    work.samples += samples;
+    if (effects_.polarisation == Polarisation::mean)
+        work_of(work.effects, Effect::polarisation).polarisations += spectra;
+    if (systems_.size() > 1) work_of(work.effects, Effect::thickness_spread).spectra += spectra;
+    if (effects_.base) ++work_of(work.effects, Effect::base).spectra;
+    const LayerSystem& system = systems_.front();
+    for (const LayerNode& node : system.nodes) {
+        if (node.repeat > 0) continue;
+        if (node.is_incoherent && node.thickness_nm > 0.0)
+            work_of(work.effects, Effect::incoherent_layers).layers += spectra;
+        const Medium& medium = system.media[static_cast<std::size_t>(node.medium)];
+        const Index& index = system.curves[static_cast<std::size_t>(medium.curve)];
+        if (!index.is_constant()) work_of(work.effects, Effect::dispersion).layers += samples;
+        const bool absorbs = index.is_constant() ? index.constant.imag() > 0.0 : !index.curve->is_lossless();
+        if (absorbs) work_of(work.effects, Effect::absorption).layers += samples;
+    }
 }
 
 std::uint64_t LayeredColour::samples(const Incidence& incidence) const {
@@ -74,6 +228,15 @@ std::vector<Response> layered_responses(const Mechanism& mechanism, const Incide
             mean[i].reflectance_p += share * one[i].reflectance_p;
             mean[i].transmittance_s += share * one[i].transmittance_s;
             mean[i].transmittance_p += share * one[i].transmittance_p;
+        }
+    }
+    if (const Base* base = diffuse_base(mechanism.effects)) {
+        constexpr int points = 64;
+        const std::vector<double> factors = base_factors(*base, systems, wavelengths_nm, points);
+        for (std::size_t i = 0; i < mean.size(); ++i) {
+            mean[i].reflectance_s += mean[i].transmittance_s * factors[i];
+            mean[i].reflectance_p += mean[i].transmittance_p * factors[i];
+            mean[i].transmittance_s = mean[i].transmittance_p = 0.0;
         }
     }
     return mean;

@@ -10,8 +10,6 @@
 namespace nacre {
 namespace {
 
-constexpr Allowed allowed_thickness{0.0, 1e8, "nm"};
-constexpr Allowed allowed_spread{0.0, 1e4, "nm"};
 constexpr Allowed allowed_repeat{1, 100000};
 constexpr Allowed allowed_films{1, 50000};
 constexpr double most_layers = 100000;
@@ -23,26 +21,6 @@ double largest_k(const IndexCurve& curve, double first_nm, double last_nm) {
     double largest = 0.0;
     for (double nm = first_nm; nm <= last_nm; nm += 1.0) largest = std::max(largest, curve.at(nm).imag());
     return largest;
-}
-
-Index read_incident(const Table& table, const IndexReader& reader) {
-    Index incident = reader.read_or(table, "incident", Index(1.0));
-    // Glass has a k of 1e-8, which nobody sees at this side of the layers.
-    constexpr double transparent = 1e-6;
-    if (incident.is_constant() && incident.constant.imag() == 0.0) return incident;
-    if (!incident.is_constant() && largest_k(*incident.curve, reader.first_nm, reader.last_nm) <= transparent) {
-        IndexCurve lossless = *incident.curve;
-        lossless.k = 0.0;
-        return Index(std::make_shared<const IndexCurve>(std::move(lossless)));
-    }
-    table.fail_at("incident",
-                  "incident absorbs, so no light comes from far away in it; allowed is a medium with k = 0");
-}
-
-Index read_required_index(const Table& table, std::string_view key, const IndexReader& reader) {
-    const Value* value = table.find(key);
-    if (value == nullptr) table.fail_missing(key, "give a number, { n, k }, or the name of a material");
-    return reader.read(table, key, *value);
 }
 
 // A sub-table { from = ..., to = ... }; null if the value is anything else.
@@ -193,15 +171,6 @@ Layer& layer_at(Mechanism& mechanism, const LayerPath& path) {
     return (*layers)[path.back()];
 }
 
-void add_index_parameters(const std::string& prefix, const std::string& of_what, const Index& index,
-                          const std::function<Index&(Mechanism&)>& find, std::vector<Parameter>& parameters) {
-    if (!index.is_constant()) return;
-    parameters.push_back({prefix + "n", "refractive index" + of_what, allowed_n,
-                          [find](Mechanism& m, double value) { find(m).constant.real(value); }});
-    parameters.push_back({prefix + "k", "absorption index" + of_what, allowed_k,
-                          [find](Mechanism& m, double value) { find(m).constant.imag(value); }});
-}
-
 void add_layer_parameters(const std::vector<Layer>& layers, const std::string& prefix, const LayerPath& outer,
                           std::vector<Parameter>& parameters) {
     for (std::size_t i = 0; i < layers.size() && parameters.size() < most_layer_parameters; ++i) {
@@ -227,6 +196,35 @@ void add_layer_parameters(const std::vector<Layer>& layers, const std::string& p
 }
 
 }  // namespace
+
+Index read_incident(const Table& table, const IndexReader& reader) {
+    Index incident = reader.read_or(table, "incident", Index(1.0));
+    // Glass has a k of 1e-8, which nobody sees at this side of the layers.
+    constexpr double transparent = 1e-6;
+    if (incident.is_constant() && incident.constant.imag() == 0.0) return incident;
+    if (!incident.is_constant() && largest_k(*incident.curve, reader.first_nm, reader.last_nm) <= transparent) {
+        IndexCurve lossless = *incident.curve;
+        lossless.k = 0.0;
+        return Index(std::make_shared<const IndexCurve>(std::move(lossless)));
+    }
+    table.fail_at("incident",
+                  "incident absorbs, so no light comes from far away in it; allowed is a medium with k = 0");
+}
+
+Index read_required_index(const Table& table, std::string_view key, const IndexReader& reader) {
+    const Value* value = table.find(key);
+    if (value == nullptr) table.fail_missing(key, "give a number, { n, k }, or the name of a material");
+    return reader.read(table, key, *value);
+}
+
+void add_index_parameters(const std::string& prefix, const std::string& of_what, const Index& index,
+                          const std::function<Index&(Mechanism&)>& find, std::vector<Parameter>& parameters) {
+    if (!index.is_constant()) return;
+    parameters.push_back({prefix + "n", "refractive index" + of_what, allowed_n,
+                          [find](Mechanism& m, double value) { find(m).constant.real(value); }});
+    parameters.push_back({prefix + "k", "absorption index" + of_what, allowed_k,
+                          [find](Mechanism& m, double value) { find(m).constant.imag(value); }});
+}
 
 Film read_film(const Table& table, const IndexReader& index) {
     Film film;

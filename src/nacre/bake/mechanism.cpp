@@ -8,20 +8,40 @@
 namespace nacre {
 namespace {
 
-// One row per mechanism: its name in a scene and how it is read.
+// One row per mechanism, in MechanismModel's order: its name in a scene, what it depends on, and how it is read.
 struct MechanismRow {
     std::string_view name;
-    Mechanism (*read)(const Table&, const IndexReader&);
+    Quantity quantity;
+    Mechanism (*read)(const Table&, const SceneContext&);
 };
 constexpr std::array mechanism_rows{
-    MechanismRow{"palette", [](const Table& table, const IndexReader&) -> Mechanism { return read_palette(table); }},
-    MechanismRow{"film",
-                 [](const Table& table, const IndexReader& index) -> Mechanism { return read_film(table, index); }},
-    MechanismRow{"stack",
-                 [](const Table& table, const IndexReader& index) -> Mechanism { return read_stack(table, index); }},
+    MechanismRow{"palette", Quantity::incidence,
+                 [](const Table& table, const SceneContext&) -> Mechanism { return read_palette(table); }},
+    MechanismRow{
+        "film", Quantity::incidence,
+        [](const Table& table, const SceneContext& context) -> Mechanism { return read_film(table, context.index); }},
+    MechanismRow{
+        "stack", Quantity::incidence,
+        [](const Table& table, const SceneContext& context) -> Mechanism { return read_stack(table, context.index); }},
+    MechanismRow{"grating", Quantity::grating_u,
+                 [](const Table& table, const SceneContext& context) -> Mechanism {
+                     return read_grating(table, context.index);
+                 }},
+    MechanismRow{"crystal", Quantity::incidence,
+                 [](const Table& table, const SceneContext& context) -> Mechanism {
+                     return read_crystal(table, context.index);
+                 }},
+    MechanismRow{"scatter", Quantity::cos_scatter,
+                 [](const Table& table, const SceneContext& context) -> Mechanism {
+                     return read_scatter(table, context.index);
+                 }},
+    MechanismRow{"measured", Quantity::incidence,
+                 [](const Table& table, const SceneContext& context) -> Mechanism {
+                     return read_measured(table, context.read_spectra);
+                 }},
 };
 
-static_assert(mechanism_rows.size() == std::variant_size_v<Mechanism>, "one row per mechanism, in Mechanism's order");
+static_assert(mechanism_rows.size() == std::variant_size_v<MechanismModel>, "one row per mechanism");
 
 }  // namespace
 
@@ -30,20 +50,38 @@ std::vector<Parameter> parameters_of(const Mechanism& mechanism) {
         std::vector<Parameter> operator()(const Palette& palette) const { return palette_parameters(palette); }
         std::vector<Parameter> operator()(const Film& film) const { return film_parameters(film); }
         std::vector<Parameter> operator()(const Stack& stack) const { return stack_parameters(stack); }
+        std::vector<Parameter> operator()(const Grating& grating) const { return grating_parameters(grating); }
+        std::vector<Parameter> operator()(const Crystal& crystal) const { return crystal_parameters(crystal); }
+        std::vector<Parameter> operator()(const Scatter& scatter) const { return scatter_parameters(scatter); }
+        std::vector<Parameter> operator()(const MeasuredSpectra&) const { return {}; }
     };
-    return std::visit(Visitor{}, mechanism);
+    std::vector<Parameter> parameters = std::visit(Visitor{}, mechanism);
+    for (Parameter& parameter : effect_parameters(mechanism)) parameters.push_back(std::move(parameter));
+    return parameters;
 }
 
 std::string_view mechanism_name(const Mechanism& mechanism) {
     return mechanism_rows[mechanism.index()].name;
 }
 
-Mechanism read_mechanism(const Table& table, const IndexReader& index) {
+Quantity quantity_of(const Mechanism& mechanism) {
+    return mechanism_rows[mechanism.index()].quantity;
+}
+
+bool is_layered(const Mechanism& mechanism) {
+    return std::holds_alternative<Film>(mechanism) || std::holds_alternative<Stack>(mechanism) ||
+           std::holds_alternative<Crystal>(mechanism);
+}
+
+Mechanism read_mechanism(const Table& table, const SceneContext& context) {
     const std::string name = table.text_or("mechanism", mechanism_rows.front().name);
     std::vector<std::string> known;
     for (const MechanismRow& row : mechanism_rows) {
-        if (row.name == name) return row.read(table, index);
         known.emplace_back(row.name);
+        if (row.name != name) continue;
+        Mechanism mechanism = row.read(table, context);
+        mechanism.effects = read_effects(table, mechanism, context);
+        return mechanism;
     }
     table.fail_at("mechanism", "unknown mechanism " + in_quotes(name) + "; known: " + comma_separated(known));
 }
@@ -53,8 +91,12 @@ std::string mechanism_toml(const Mechanism& mechanism) {
         std::string operator()(const Palette& palette) const { return palette_toml(palette); }
         std::string operator()(const Film& film) const { return film_toml(film); }
         std::string operator()(const Stack& stack) const { return stack_toml(stack); }
+        std::string operator()(const Grating& grating) const { return grating_toml(grating); }
+        std::string operator()(const Crystal& crystal) const { return crystal_toml(crystal); }
+        std::string operator()(const Scatter& scatter) const { return scatter_toml(scatter); }
+        std::string operator()(const MeasuredSpectra& spectra) const { return measured_toml(spectra); }
     };
-    return std::visit(Visitor{}, mechanism);
+    return std::visit(Visitor{}, mechanism) + effects_toml(mechanism.effects);
 }
 
 }  // namespace nacre

@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "nacre/bake/index.h"
 #include "nacre/bake/mechanism.h"
+#include "nacre/bake/scene_context.h"
 
 namespace nacre {
 
@@ -21,5 +21,37 @@ std::string film_toml(const Film& film);
 Stack read_stack(const Table& table, const IndexReader& index);
 std::vector<Parameter> stack_parameters(const Stack& stack);
 std::string stack_toml(const Stack& stack);
+
+Grating read_grating(const Table& table, const IndexReader& index);
+std::vector<Parameter> grating_parameters(const Grating& grating);
+std::string grating_toml(const Grating& grating);
+
+Crystal read_crystal(const Table& table, const IndexReader& index);
+std::vector<Parameter> crystal_parameters(const Crystal& crystal);
+std::string crystal_toml(const Crystal& crystal);
+
+Scatter read_scatter(const Table& table, const IndexReader& index);
+std::vector<Parameter> scatter_parameters(const Scatter& scatter);
+std::string scatter_toml(const Scatter& scatter);
+
+MeasuredSpectra read_measured(const Table& table, const SpectraReader& read_spectra);
+std::string measured_toml(const MeasuredSpectra& spectra);
+
+// Of every mechanism: base, tilt_deg, polarisation, each refused where it has no meaning.
+
+Effects read_effects(const Table& table, const Mechanism& mechanism, const SceneContext& context);
+std::vector<Parameter> effect_parameters(const Mechanism& mechanism);
+std::string effects_toml(const Effects& effects);
+
+// Pieces that readers of layers share.
+
+inline constexpr Allowed allowed_thickness{0.0, 1e8, "nm"};
+inline constexpr Allowed allowed_spread{0.0, 1e4, "nm"};
+/// Air if the key is missing. Throws Error for a medium that absorbs.
+Index read_incident(const Table& table, const IndexReader& reader);
+Index read_required_index(const Table& table, std::string_view key, const IndexReader& reader);
+/// `prefix` + "n" and "k", of an index that is a number.
+void add_index_parameters(const std::string& prefix, const std::string& of_what, const Index& index,
+                          const std::function<Index&(Mechanism&)>& find, std::vector<Parameter>& parameters);
 
 }  // namespace nacre

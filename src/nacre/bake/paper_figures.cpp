@@ -137,7 +137,7 @@ Series paper_figure11(const Specimen& specimen, const std::shared_ptr<const Ligh
         for (int i = 0; i < peaks; ++i) {
             const double x = coordinate(i, peaks);
             const double y = coordinate(j, angles);
-            const double angle_deg = job.y->kind->incidence(y).theta_deg;
+            const double angle_deg = job.y->kind->geometry(y).incidence.theta_deg;
             series.rows.push_back(with_colour({job.x.parameter_value(x), angle_deg}, exact_xyz(job, x, y)));
         }
     }
@@ -158,9 +158,10 @@ Series paper_figure12(const Specimen& specimen, const std::shared_ptr<const Ligh
             for (int i = 0; i < widths; ++i) {
                 const double x = coordinate(i, widths);
                 const double y = coordinate(j, heights);
-                series.rows.push_back(with_colour({job.angle_deg, specimen.palette.picks[pick].lobe.peak_nm,
-                                                   job.x.parameter_value(x), job.y->parameter_value(y)},
-                                                  exact_xyz(job, x, y)));
+                series.rows.push_back(
+                    with_colour({job.fixed.incidence.theta_deg, specimen.palette.picks[pick].lobe.peak_nm,
+                                 job.x.parameter_value(x), job.y->parameter_value(y)},
+                                exact_xyz(job, x, y)));
             }
         }
     }

@@ -83,7 +83,7 @@ std::vector<Xyz> colours_at_degrees(const Mechanism& mechanism, const std::share
     // A hundredth of what an eye can tell: errors of interest are above 1.
     constexpr double tolerance = 1e-2;
     const int realisations = is_irregular(mechanism) ? band_realisations : 0;
-    job.sampling = choose_sampling(job, tolerance, tolerance, {{}, realisations}).sampling;
+    job.sampling = choose_sampling(job, {tolerance, tolerance, tolerance, 0.0}, {{}, realisations, {}}).sampling;
     const Image<Xyz> image = bake(job);
     std::vector<Xyz> colours;
     for (int i = 0; i < degrees_count; ++i) colours.push_back(image.at(i, 0));

@@ -1,5 +1,9 @@
 #include "nacre/bake/plan.h"
 
+#include <algorithm>
+#include <deque>
+#include <utility>
+
 #include "nacre/bake/names.h"
 #include "nacre/bake/output_names.h"
 #include "nacre/bake/plan_tables.h"
@@ -13,7 +17,8 @@ constexpr Allowed allowed_version{1, 1};
 // Reads one scene; holds what its tables refer to each other by.
 class Planner {
 public:
-    Planner(const Table& scene, const SceneFiles& files) : scene_(scene), files_(files) {}
+    Planner(const Table& scene, const SceneFiles& files, const PlanRequest& request)
+        : scene_(scene), files_(files), request_(request) {}
 
     Plan plan() {
         scene_.integer_or("nacre", allowed_version, 1);
@@ -22,9 +27,19 @@ public:
             make_light(read_light(scene_.table("light"), accuracy_.wavelengths, files_.read_curve)));
         check_white();
         read_colour();
-        read_materials();
-        read_luts();
-        read_swatches();
+        const LightSettings& light = plan_.light->settings;
+        const SceneContext context{
+            {files_.find_material, static_cast<double>(light.first_nm), static_cast<double>(light.last_nm)},
+            files_.read_curve,
+            files_.read_spectra};
+        Materials materials(material_table(), context,
+                            [&](const Table& table, const Mechanism& mechanism) { check_fringes(table, mechanism); });
+        read_luts(materials);
+        read_swatches(materials);
+        if (request_.all_materials) {
+            for (const std::string& name : materials.names()) materials.named(name);
+        }
+        plan_.materials = materials.read();
         scene_.expect_all_read();
         OutputNames().claim(plan_);
         return std::move(plan_);
@@ -85,59 +100,107 @@ private:
         table->expect_all_read();
     }
 
-    void read_materials() {
+    const Table& material_table() const {
         const Table* materials = scene_.table("material");
-        if (materials == nullptr || materials->entries().empty()) {
+        if (materials == nullptr || materials->entries().empty())
             scene_.fail_missing("material", "a scene needs a [material.NAME]");
-        }
-        for (const Table::Entry& entry : materials->entries()) {
-            const Table& table = materials->checked_table(entry.key, entry.value);
-            check_name(entry.key, *materials, entry.key_where);
-            const IndexReader reader{files_.find_material, static_cast<double>(plan_.light->settings.first_nm),
-                                     static_cast<double>(plan_.light->settings.last_nm)};
-            Material material{entry.key, read_mechanism(table, reader), entry.key_where};
-            table.expect_all_read();
-            check_fringes(table, material.mechanism);
-            plan_.materials.push_back(std::move(material));
-        }
+        return *materials;
     }
 
-    void read_luts() {
-        const Table* luts = scene_.table("lut");
-        if (luts == nullptr) {
-            for (const Material& material : plan_.materials) {
-                PlannedLut lut;
-                lut.name = material.name;
-                lut.job.material = material;
-                lut.job.light = plan_.light;
-                take_wish(default_wish(accuracy_, false), lut);
-                lut.where = material.where;
-                plan_.luts.push_back(std::move(lut));
+    void read_luts(Materials& materials) {
+        lut_table_ = scene_.table("lut");
+        if (lut_table_ == nullptr) {
+            for (const std::string& name : materials.names()) {
+                plan_.names.push_back(name);
+                if (request_.wants(name) || request_.wants(name + "_s") || request_.wants(name + "_p"))
+                    add_lut(default_lut(materials.named(name)));
             }
             return;
         }
-        for (const Table::Entry& entry : luts->entries()) {
-            const Table& table = luts->checked_table(entry.key, entry.value);
-            check_name(entry.key, *luts, entry.key_where);
-            plan_.luts.push_back(read_lut(table, entry, plan_.materials, plan_.light, accuracy_));
-            check_fringes(table, plan_.luts.back().job);
+        for (const Table::Entry& entry : lut_table_->entries()) {
+            const Table& table = lut_table_->checked_table(entry.key, entry.value);
+            check_name(entry.key, *lut_table_, entry.key_where);
+            plan_.names.push_back(entry.key);
+            if (!request_.wants(entry.key) && !request_.wants(entry.key + "_s") && !request_.wants(entry.key + "_p"))
+                continue;
+            PlannedLut lut = read_lut(table, entry, materials, plan_.light, accuracy_);
+            check_fringes(table, lut.job);
+            add_lut(std::move(lut));
         }
     }
 
-    void read_swatches() {
+    // The LUT of a material in a scene that names none.
+    PlannedLut default_lut(const Material& material) const {
+        PlannedLut lut;
+        lut.name = material.name;
+        lut.job.material = material;
+        lut.job.light = plan_.light;
+        lut.job.x = default_axis(quantity_of(material.mechanism));
+        take_wish(default_wish(accuracy_, false), lut);
+        lut.where = material.where;
+        return lut;
+    }
+
+    // One LUT, or two of a material that asks for both polarisations.
+    void add_lut(PlannedLut lut) {
+        Effects& effects = lut.job.material.mechanism.effects;
+        if (!effects.both_polarisations) {
+            plan_.luts.push_back(std::move(lut));
+            return;
+        }
+        const std::string name = lut.name;
+        effects.both_polarisations = false;
+        for (const auto& [suffix, polarisation] : {std::pair{"_s", Polarisation::s}, {"_p", Polarisation::p}}) {
+            lut.name = name + suffix;
+            effects.polarisation = polarisation;
+            plan_.names.push_back(lut.name);
+            if (request_.wants(name) || request_.wants(lut.name)) plan_.luts.push_back(lut);
+        }
+        std::erase(plan_.names, name);
+    }
+
+    // A LUT that a swatch shows need not be one that is asked for.
+    const PlannedLut* find_lut(const std::string& name, std::vector<std::string>& known, Materials& materials) {
+        for (const PlannedLut& lut : plan_.luts) {
+            if (lut.name == name) return &lut;
+        }
+        known = plan_.names;
+        if (std::find(known.begin(), known.end(), name) == known.end()) return nullptr;
+        const Plan before = plan_;
+        const PlanRequest request = std::exchange(request_, PlanRequest{{name}, false});
+        plan_.luts.clear();
+        plan_.names.clear();
+        read_luts(materials);
+        for (PlannedLut& lut : plan_.luts) shown_luts_.push_back(std::move(lut));
+        plan_ = before;
+        request_ = request;
+        return &shown_luts_.back();
+    }
+
+    void read_swatches(Materials& materials) {
         const Table* swatches = scene_.table("swatch");
         if (swatches == nullptr) return;
+        std::vector<std::string> names;
+        const LutFinder find = [&](const std::string& name, std::vector<std::string>& known) {
+            return find_lut(name, known, materials);
+        };
         for (const Table::Entry& entry : swatches->entries()) {
             const Table& table = swatches->checked_table(entry.key, entry.value);
             check_name(entry.key, *swatches, entry.key_where);
-            plan_.swatches.push_back(read_swatch(table, entry, plan_));
+            names.push_back(entry.key);
+            if (request_.wants(entry.key))
+                plan_.swatches.push_back(read_swatch(table, entry, materials, plan_.light, find));
         }
+        plan_.names.insert(plan_.names.end(), names.begin(), names.end());
     }
 
     const Table& scene_;
     const SceneFiles& files_;
+    PlanRequest request_;
     Plan plan_;
     AccuracySettings accuracy_;
+    const Table* lut_table_ = nullptr;
+    std::deque<PlannedLut> shown_luts_;
 };
 
 }  // namespace
@@ -146,28 +209,39 @@ std::string size_text(const Job& job) {
     return std::to_string(job.width) + " x " + std::to_string(job.height);
 }
 
-std::string integration_text(const Job& job) {
-    if (!needs_sampling(job.material.mechanism) && !job.light->settings.wavelengths)
-        return std::string(name_of(integral_words, job.integral));
-    std::string text;
-    if (job.light->settings.wavelengths) {
-        text = std::to_string(*job.light->settings.wavelengths) + " wavelengths";
-    } else {
-        // The same number in all bands is said once.
-        std::string counts;
-        int last = 0;
-        for (const int count : job.sampling.node_counts()) {
-            if (count != last) counts += (counts.empty() ? "" : "/") + std::to_string(count);
-            last = count;
-        }
-        text = counts + " nodes";
+namespace {
+
+// "48 nodes", "48/64 nodes", "471 wavelengths"; what is the same in all bands is said once.
+std::string nodes_text(const Job& job) {
+    if (job.light->settings.wavelengths) return std::to_string(*job.light->settings.wavelengths) + " wavelengths";
+    std::string counts;
+    int last = 0;
+    for (const int count : job.sampling.node_counts()) {
+        if (count != last) counts += (counts.empty() ? "" : "/") + std::to_string(count);
+        last = count;
     }
+    return counts + " nodes";
+}
+
+}  // namespace
+
+std::string integration_text(const Job& job) {
+    const Mechanism& mechanism = job.material.mechanism;
+    const bool is_sampled = samples_spectra(mechanism) || job.light->settings.wavelengths;
+    if (!is_sampled && std::holds_alternative<Palette>(mechanism))
+        return std::string(name_of(integral_words, job.integral));
+    std::string text = is_sampled ? nodes_text(job) : "exact";
     if (job.sampling.realisations > 1) text += " x " + std::to_string(job.sampling.realisations);
+    if (job.sampling.sizes > 1) text += " x " + std::to_string(job.sampling.sizes) + " radii";
     return text;
 }
 
-Plan plan_scene(const Table& scene, const SceneFiles& files) {
-    return Planner(scene, files).plan();
+bool PlanRequest::wants(const std::string& name) const {
+    return only.empty() || std::find(only.begin(), only.end(), name) != only.end();
+}
+
+Plan plan_scene(const Table& scene, const SceneFiles& files, const PlanRequest& request) {
+    return Planner(scene, files, request).plan();
 }
 
 }  // namespace nacre

@@ -7,9 +7,11 @@
 
 #include "nacre/bake/axis.h"
 #include "nacre/bake/catalogue.h"
+#include "nacre/bake/effects.h"
 #include "nacre/bake/index.h"
 #include "nacre/bake/light.h"
 #include "nacre/bake/mechanism.h"
+#include "nacre/bake/scene_context.h"
 #include "nacre/bake/spectral_sampling.h"
 
 namespace nacre {
@@ -22,9 +24,10 @@ struct Job {
     std::optional<Axis> y;
     int width = 256;
     int height = 1;                       ///< 1 without y
-    double angle_deg = 0.0;               ///< where neither axis is the angle
+    Geometry fixed;                       ///< where neither axis is the angle
     Integral integral = Integral::exact;  ///< of palettes, unless the light samples spectra
-    SpectralSampling sampling;            ///< of films and stacks
+    SpectralSampling sampling;            ///< of everything else
+    EffectSet without;                    ///< effects of the material that are not simulated
 };
 
 /// Which OpenColorIO config, space and gamut. The config itself is opened by the front end.
@@ -56,8 +59,12 @@ struct AccuracyWish {
     std::optional<int> height;
     std::optional<PixelFormat> format;
     std::optional<Integral> integral;
-    std::optional<NodeCounts> nodes;  ///< wavelengths of films and stacks, per band of angles
+    std::optional<NodeCounts> nodes;  ///< wavelengths of spectra that are sampled, per band of angles
     std::optional<int> realisations;  ///< of irregular ones
+    QuadratureWish points;            ///< of effects that are integrals
+    /// Whether effects that make no difference that counts are left out; else all are simulated but these.
+    bool may_drop_effects = true;
+    EffectSet without;
 
     static constexpr double default_max_de00 = 0.1;
 };
@@ -87,7 +94,8 @@ struct PlannedSwatch {
 struct Plan {
     std::shared_ptr<const Light> light;
     ColourSettings colour;
-    std::vector<Material> materials;
+    std::vector<std::string> names;   ///< of all LUTs and swatches that the scene has, asked for or not
+    std::vector<Material> materials;  ///< those that were read
     std::vector<PlannedLut> luts;
     std::vector<PlannedSwatch> swatches;
 };
@@ -96,14 +104,25 @@ struct Plan {
 struct SceneFiles {
     CurveReader read_curve;
     MaterialReader find_material;
+    SpectraReader read_spectra;
+};
+
+/// What of a scene is wanted.
+struct PlanRequest {
+    /// Names of LUTs and swatches; empty: all. Names that the scene does not have are no error: another scene may.
+    std::vector<std::string> only;
+    bool all_materials = false;  ///< those too that no LUT and no swatch asks for
+
+    bool wants(const std::string& name) const;
 };
 
 /// Decides everything that a scene leaves open. After it only the disk can fail.
 ///
 /// Every mistake of the user's is found here: unknown keys and names, wrong types, numbers out of range, picks that
 /// contradict each other. Throws Error with file, line and column.
+/// Materials that nothing asks for are not read at all, nor are the files that they name.
 /// @param scene  the top table of a scene, includes resolved
-Plan plan_scene(const Table& scene, const SceneFiles& files);
+Plan plan_scene(const Table& scene, const SceneFiles& files, const PlanRequest& request = {});
 
 /// A scene that holds one LUT and nothing else, every default written out: what a file header carries so that the LUT
 /// can be derived again. plan_scene() of it gives the same job, and this text again.

@@ -7,12 +7,25 @@
 namespace nacre {
 namespace {
 
-constexpr Allowed allowed_wavelengths{2, 10000};
-constexpr Allowed allowed_nodes{8, most_nodes};
-constexpr Allowed allowed_realisations{2, 16384};
 constexpr Allowed allowed_size{2, largest_lut_size, "texels"};
 constexpr std::size_t longest_name = 100;
-constexpr Allowed allowed_angle{0.0, 90.0, "degrees"};
+
+// What a fixed quantity is called.
+struct FixedKey {
+    std::string_view key;
+    Allowed allowed;
+};
+FixedKey fixed_key(Quantity quantity) {
+    switch (quantity) {
+        case Quantity::grating_u:
+            return {"grating_u", {0.0, 2.0}};
+        case Quantity::cos_scatter:
+            return {"cos_scatter", {-1.0, 1.0}};
+        case Quantity::incidence:
+            break;
+    }
+    return {"angle_deg", {0.0, 90.0, "degrees"}};
+}
 
 int checked_size(const Table& table, std::string_view key, const Value& value) {
     const int size = table.checked_integer(key, value, allowed_size);
@@ -22,24 +35,6 @@ int checked_size(const Table& table, std::string_view key, const Value& value) {
                                     " (engines rescale other sizes)");
     }
     return size;
-}
-
-// One number, or one per band of angles.
-NodeCounts read_nodes(const Table& table, const Value& value) {
-    NodeCounts counts{};
-    if (!std::holds_alternative<Value::Array>(value.data)) {
-        counts.fill(table.checked_integer("nodes", value, allowed_nodes));
-        return counts;
-    }
-    const Value::Array& list = table.checked_array("nodes", value);
-    if (list.size() != counts.size()) {
-        table.fail(value.where, "nodes has " + std::to_string(list.size()) + " numbers; give one, or " +
-                                    std::to_string(counts.size()) +
-                                    ": for angles up to 72.5, 87.1, 89.8 and 90 degrees");
-    }
-    for (std::size_t band = 0; band < counts.size(); ++band)
-        counts[band] = table.checked_integer("nodes", list[band], allowed_nodes);
-    return counts;
 }
 
 void check_axes_differ(const Job& job, const Table& table, const Where& where) {
@@ -54,10 +49,19 @@ void check_axes_differ(const Job& job, const Table& table, const Where& where) {
 
 void read_fixed_angle(const Table& table, Job& job) {
     const bool has_angle = job.x.is_angle() || (job.y && job.y->is_angle());
-    const Value* value = table.find("angle_deg");
+    const Quantity quantity = quantity_of(job.material.mechanism);
+    const auto [key, allowed] = fixed_key(quantity);
+    const Value* value = table.find(key);
     if (value == nullptr) return;
-    if (has_angle) table.fail(value->where, "angle_deg is fixed, but an axis is the angle; leave one of them out");
-    job.angle_deg = table.checked_number("angle_deg", *value, allowed_angle);
+    if (has_angle) {
+        table.fail(value->where, std::string(key) + " is fixed, but an axis is " +
+                                     (quantity == Quantity::incidence ? "the angle" : std::string(key)) +
+                                     "; leave one of them out");
+    }
+    const double fixed = table.checked_number(key, *value, allowed);
+    job.fixed = quantity == Quantity::incidence   ? Geometry(Incidence::from_degrees(fixed))
+                : quantity == Quantity::grating_u ? Geometry::from_grating_u(fixed)
+                                                  : Geometry::from_cos_scatter(fixed);
 }
 
 // A size of the LUT's own counts instead of [accuracy]'s.
@@ -111,51 +115,6 @@ LutSize read_lut_size(const Table& table) {
     return {checked_size(table, "size", sides[0]), checked_size(table, "size", sides[1])};
 }
 
-const Material& material_of(const Table& table, const std::vector<Material>& materials) {
-    const Value* value = table.find("material");
-    if (value == nullptr) {
-        if (materials.size() == 1) return materials.front();
-        table.fail(table.where(),
-                   "material is missing, and the scene has " + std::to_string(materials.size()) + "; say which");
-    }
-    const std::string& name = table.checked_text("material", *value);
-    const auto found =
-        std::find_if(materials.begin(), materials.end(), [&](const Material& m) { return m.name == name; });
-    if (found != materials.end()) return *found;
-    std::vector<std::string> known;
-    for (const Material& material : materials) known.push_back(material.name);
-    table.fail(value->where, "unknown material " + in_quotes(name) + "; known: " + known_like(name, known));
-}
-
-AccuracySettings read_accuracy(const Table* table) {
-    if (table == nullptr) return {};
-    AccuracySettings accuracy;
-    if (const Value* bound = table->find("max_de00"))
-        accuracy.max_de00 = table->checked_number("max_de00", *bound, allowed_max_de00);
-    if (const Value* nodes = table->find("wavelengths"))
-        accuracy.wavelengths = table->checked_integer("wavelengths", *nodes, allowed_wavelengths);
-    if (const Value* integral = table->find("integral")) {
-        accuracy.integral =
-            meaning_of(integral_words, "integral", table->checked_text("integral", *integral), *table, integral->where);
-        if (accuracy.wavelengths) {
-            table->fail(integral->where,
-                        "integral says how to do without wavelengths, and wavelengths is given; leave one of them out");
-        }
-    }
-    if (const Value* nodes = table->find("nodes")) accuracy.nodes = read_nodes(*table, *nodes);
-    if (accuracy.nodes && accuracy.wavelengths) {
-        table->fail_at("nodes", "nodes and wavelengths both say where spectra are sampled; leave one of them out");
-    }
-    if (const Value* realisations = table->find("realisations")) {
-        accuracy.realisations = table->checked_integer("realisations", *realisations, allowed_realisations);
-        if (*accuracy.realisations % 2 != 0)
-            table->fail(realisations->where, "realisations come in pairs; give an even number");
-    }
-    accuracy.size = read_lut_size(*table);
-    table->expect_all_read();
-    return accuracy;
-}
-
 void take_wish(const AccuracyWish& wish, PlannedLut& lut) {
     constexpr int placeholder_height = 64;
     lut.wish = wish;
@@ -173,12 +132,15 @@ AccuracyWish default_wish(const AccuracySettings& accuracy, bool has_y) {
     wish.integral = accuracy.integral;
     wish.nodes = accuracy.nodes;
     wish.realisations = accuracy.realisations;
+    wish.points = accuracy.points;
+    wish.may_drop_effects = accuracy.may_drop_effects;
+    wish.without = accuracy.without;
     wish.width = accuracy.size.width;
     if (has_y) wish.height = accuracy.size.height;
     return wish;
 }
 
-PlannedLut read_lut(const Table& table, const Table::Entry& entry, const std::vector<Material>& materials,
+PlannedLut read_lut(const Table& table, const Table::Entry& entry, Materials& materials,
                     const std::shared_ptr<const Light>& light, const AccuracySettings& accuracy) {
     PlannedLut lut;
     lut.name = entry.key;
@@ -186,6 +148,7 @@ PlannedLut read_lut(const Table& table, const Table::Entry& entry, const std::ve
     Job& job = lut.job;
     job.material = material_of(table, materials);
     job.light = light;
+    job.x = default_axis(quantity_of(job.material.mechanism));
     if (const Value* x = table.find("x")) job.x = read_axis(table, "x", *x, job.material.mechanism);
     if (const Value* y = table.find("y")) {
         job.y = read_axis(table, "y", *y, job.material.mechanism);

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -29,6 +31,9 @@ struct AccuracySettings {
     std::optional<Integral> integral;
     std::optional<NodeCounts> nodes;
     std::optional<int> realisations;
+    QuadratureWish points;
+    bool may_drop_effects = true;
+    EffectSet without;
     LutSize size;
 };
 /// @param table  null: nothing is said
@@ -40,14 +45,42 @@ AccuracyWish default_wish(const AccuracySettings& accuracy, bool has_y);
 /// Gives a LUT its wish, and what the wish insists on.
 void take_wish(const AccuracyWish& wish, PlannedLut& lut);
 
+/// The materials of a scene, each read when it is asked for.
+class Materials {
+public:
+    using Check = std::function<void(const Table&, const Mechanism&)>;
+    /// @param table    of all materials; has to outlive this
+    /// @param context  likewise
+    /// @param check    called for every one that is read; throws Error
+    Materials(const Table& table, const SceneContext& context, Check check);
+
+    const std::vector<std::string>& names() const { return names_; }
+    const Material& named(const std::string& name);
+    /// Those that were asked for, in the scene's order.
+    std::vector<Material> read() const;
+
+private:
+    const Table& table_;
+    const SceneContext& context_;
+    Check check_;
+    std::vector<std::string> names_;
+    std::map<std::string, Material> read_;
+};
+
 /// The material that the key `material` names, or the only one that there is.
-const Material& material_of(const Table& table, const std::vector<Material>& materials);
+const Material& material_of(const Table& table, Materials& materials);
 
 /// One [lut.NAME].
-PlannedLut read_lut(const Table& table, const Table::Entry& entry, const std::vector<Material>& materials,
+PlannedLut read_lut(const Table& table, const Table::Entry& entry, Materials& materials,
                     const std::shared_ptr<const Light>& light, const AccuracySettings& accuracy);
 
-/// One [swatch.NAME]. @param plan  with its materials, LUTs and light
-PlannedSwatch read_swatch(const Table& table, const Table::Entry& entry, const Plan& plan);
+/// How a swatch asks for the LUT that it shows: null if there is none of that name; then `known` has those that there
+/// are.
+using LutFinder = std::function<const PlannedLut*(const std::string& name, std::vector<std::string>& known)>;
+
+/// One [swatch.NAME].
+/// @param find_lut  a LUT by its name, null if there is none
+PlannedSwatch read_swatch(const Table& table, const Table::Entry& entry, Materials& materials,
+                          const std::shared_ptr<const Light>& light, const LutFinder& find_lut);
 
 }  // namespace nacre

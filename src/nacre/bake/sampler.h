@@ -1,11 +1,11 @@
 #pragma once
 
 #include <optional>
-#include <variant>
 
-#include "nacre/bake/layered_colour.h"
 #include "nacre/bake/plan.h"
+#include "nacre/bake/prepared_colour.h"
 #include "nacre/bake/work.h"
+#include "nacre/bake/xyz_curve.h"
 #include "nacre/colour/colour_types.h"
 #include "nacre/optics/palette.h"
 
@@ -30,25 +30,28 @@ public:
 
 private:
     void set_parameters(double x, double y);
-    const Incidence& incidence(double x, double y);
-    Xyz colour_of(const Lobe& lobe);
-    Xyz colour_of(LayeredColour& colour, const Incidence& incidence);
+    const Geometry& geometry(double x, double y);
+    Xyz tilted(const Incidence& incidence);
 
     const Job& job_;
     Mechanism mechanism_;
     SpectralSampling sampling_;
-    std::variant<PaletteCurve, LayeredColour> prepared_;  // what answers for the mechanism at many angles
-    std::optional<double> last_x_;                        // of parameters, where they are axes
+    PreparedColour prepared_;       // what answers for the mechanism at many angles
+    XyzCurve facets_;               // its colours, if facets ask for them
+    std::optional<double> last_x_;  // of parameters, where they are axes
     std::optional<double> last_y_;
     std::optional<double> last_angle_;  // coordinate on the axis that is the angle
-    Incidence incidence_;               // there
+    Geometry geometry_;                 // there
     Work work_;
 };
 
-/// The material as it is at one point of the parameter axes.
+/// The material as it is at one point of the parameter axes, with all that the scene says.
 Mechanism mechanism_at(const Job& job, double x, double y);
 
-/// The angle at one point of the axes.
-Incidence incidence_at(const Job& job, double x, double y);
+/// The same without the effects that the job does without.
+Mechanism simulated_at(const Job& job, double x, double y);
+
+/// Where light and eye are at one point of the axes.
+Geometry geometry_at(const Job& job, double x, double y);
 
 }  // namespace nacre

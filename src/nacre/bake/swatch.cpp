@@ -203,6 +203,18 @@ void draw_strip_picks(Swatch& swatch, const Job& job, const PlotArea& area) {
     }
 }
 
+std::string fixed_text(const Job& job) {
+    switch (quantity_of(job.material.mechanism)) {
+        case Quantity::grating_u:
+            return "u = " + rounded_text(job.fixed.grating_u, 2);
+        case Quantity::cos_scatter:
+            return "cos(scatter) = " + rounded_text(job.fixed.cos_scatter, 2);
+        case Quantity::incidence:
+            break;
+    }
+    return rounded_text(job.fixed.incidence.theta_deg) + "°";
+}
+
 Swatch draw_strip(const PlannedSwatch& planned) {
     const Job& job = planned.jobs.front();
     const PlotArea area = job.y ? lut_area : strip_area;
@@ -214,7 +226,7 @@ Swatch draw_strip(const PlannedSwatch& planned) {
     const bool has_angle = job.x.is_angle() || (job.y && job.y->is_angle());
     if (job.y) draw_y_axis(swatch, area, *job.y, axis_title(*job.y));
     if (!has_angle) {
-        const std::string note = "seen at " + rounded_text(job.angle_deg) + "°";
+        const std::string note = "seen at " + fixed_text(job);
         swatch.overlays.push_back(Text{note, {area.box().right, area.top - 22.0}, label_px, Align::right, dim_grey});
     }
     // With a second axis the picks and the bounds may be elsewhere at each of its values.
@@ -268,7 +280,7 @@ std::vector<Job> swatch_jobs(SwatchKind kind, const Material& material, const st
                 job.material.mechanism = Palette{{pick}};
                 job.x = parameter_axis(job.material.mechanism, "width_nm", 0.0, widest_nm);
                 job.y = parameter_axis(job.material.mechanism, "height", 0.0, 1.0);
-                job.angle_deg = pick.angle_deg;
+                job.fixed = Incidence::from_degrees(pick.angle_deg);
                 job.width = job.height = 475;
                 jobs.push_back(job);
             }
@@ -276,6 +288,7 @@ std::vector<Job> swatch_jobs(SwatchKind kind, const Material& material, const st
         }
         case SwatchKind::strip:
         case SwatchKind::sphere:
+            job.x = default_axis(quantity_of(material.mechanism));
             job.width = strip_area.width;
             return {job};
     }

@@ -35,13 +35,24 @@ double round_step(double span, double wanted) {
     return decade;
 }
 
+// Angles to the normal are shown in degrees, whatever the axis is even in.
+bool is_in_degrees(const Axis& axis) {
+    return axis.is_angle() && axis.kind->quantity == Quantity::incidence;
+}
+
+// Of an axis that is not: the smaller one first.
+std::pair<double, double> ends_of(const Axis& axis) {
+    if (!axis.is_angle()) return {std::min(axis.from, axis.to), std::max(axis.from, axis.to)};
+    return {axis.kind->quantity == Quantity::grating_u ? 0.0 : axis.kind->low, axis.kind->high};
+}
+
 std::vector<double> tick_values(const Axis& axis, int length_px, bool is_horizontal) {
     std::vector<double> values;
-    if (axis.is_angle()) {
+    if (is_in_degrees(axis)) {
         for (int tens = 0; tens <= 9; ++tens) values.push_back(10.0 * tens);
         return values;
     }
-    const auto [low, high] = std::minmax(axis.from, axis.to);
+    const auto [low, high] = ends_of(axis);
     const double step = round_step(high - low, std::max(2.0, length_px / (is_horizontal ? 180.0 : 110.0)));
     const double first = std::ceil(low / step - 1e-9);
     // Counted, because adding 1 to `first` may not change it: ranges may be narrower than their ends have digits for.
@@ -52,7 +63,7 @@ std::vector<double> tick_values(const Axis& axis, int length_px, bool is_horizon
 
 // Ends first, then the thirds of the quarter turn, then what is left; of a parameter, from the start.
 int label_rank(const Axis& axis, double value) {
-    if (!axis.is_angle()) return 0;
+    if (!is_in_degrees(axis)) return 0;
     constexpr std::array<int, 10> ranks{0, 9, 8, 3, 4, 5, 2, 6, 7, 1};
     return ranks[static_cast<std::size_t>(std::lround(value / 10.0))];
 }
@@ -69,12 +80,14 @@ Box PlotArea::box() const {
 }
 
 double axis_coordinate(const Axis& axis, double value) {
-    if (axis.is_angle()) return axis.kind->coordinate(Incidence::from_degrees(value).cos_theta);
+    if (is_in_degrees(axis)) return axis.kind->coordinate(Incidence::from_degrees(value).cos_theta);
+    if (axis.is_angle()) return axis.kind->coordinate(value);
     return (value - axis.from) / (axis.to - axis.from);
 }
 
 std::string axis_title(const Axis& axis) {
-    if (axis.is_angle()) return "angle (" + std::string(axis.kind->name) + ")";
+    if (is_in_degrees(axis)) return "angle (" + std::string(axis.kind->name) + ")";
+    if (axis.is_angle()) return axis.kind->quantity == Quantity::grating_u ? "u = |sin in + sin out|" : "cos(scatter)";
     const std::string_view unit = axis.parameter.allowed.unit;
     if (unit.empty() || unit == "degrees") return axis.parameter.description;
     return axis.parameter.description + " (" + std::string(unit) + ")";
@@ -86,7 +99,7 @@ std::string rounded_text(double value, int digits) {
 }
 
 std::vector<Tick> axis_ticks(const Axis& axis, int length_px, bool is_horizontal) {
-    const bool is_degrees = axis.is_angle() || axis.parameter.allowed.unit == "degrees";
+    const bool is_degrees = is_in_degrees(axis) || axis.parameter.allowed.unit == "degrees";
     const std::vector<double> values = tick_values(axis, length_px, is_horizontal);
     std::vector<Tick> ticks;
     std::vector<std::size_t> order;
@@ -116,7 +129,7 @@ Panel bake_panel(const Job& job, const PlotArea& area) {
     sized.width = area.width;
     sized.height = job.y ? area.height : 1;
     sized.integral = Integral::fast;  // 8 bits do not see the difference
-    sized.sampling = choose_sampling(sized, 0.1, 1.0).sampling;
+    sized.sampling = choose_sampling(sized, {0.1, 1.0, 0.1, 0.0}).sampling;
     const Image<Xyz> baked = bake(sized);
     Panel panel{area.left, area.top, Image<Xyz>(area.width, area.height)};
     for (int row = 0; row < area.height; ++row) {

@@ -58,7 +58,7 @@ Image<Xyz> sphere_table(const Job& job) {
     fine.width = table_size;
     fine.height = 1;
     fine.integral = Integral::fast;  // 8 bits do not see the difference
-    fine.sampling = choose_sampling(fine, 0.1, 1.0).sampling;
+    fine.sampling = choose_sampling(fine, {0.1, 1.0, 0.1, 0.0}).sampling;
     return bake(fine);
 }
 

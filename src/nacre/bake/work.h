@@ -1,6 +1,9 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+
+#include "nacre/bake/effects.h"
 
 namespace nacre {
 
@@ -13,6 +16,7 @@ struct Work {
     std::uint64_t texels = 0;           ///< of all LUTs that were computed, trials too
     std::uint64_t probes = 0;           ///< points at which a LUT's colour was compared with the model's
     std::uint64_t references = 0;       ///< points at which it was compared with the independent reference
+    EffectWorks effects{};              ///< what each effect had in it
 
     friend bool operator==(const Work&, const Work&) = default;
 };
@@ -25,6 +29,12 @@ inline Work& operator+=(Work& sum, const Work& more) {
     sum.texels += more.texels;
     sum.probes += more.probes;
     sum.references += more.references;
+    for (std::size_t i = 0; i < effect_count; ++i) {
+        sum.effects[i].spectra += more.effects[i].spectra;
+        sum.effects[i].layers += more.effects[i].layers;
+        sum.effects[i].points += more.effects[i].points;
+        sum.effects[i].polarisations += more.effects[i].polarisations;
+    }
     return sum;
 }
 

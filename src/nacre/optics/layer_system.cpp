@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <complex>
 
 namespace nacre {
 namespace {
@@ -27,7 +28,10 @@ RefractiveIndex LayerSystem::index_at(int medium, double wavelength_nm) const {
     const Medium& m = media[static_cast<std::size_t>(medium)];
     const RefractiveIndex index = curves[static_cast<std::size_t>(m.curve)].at(wavelength_nm);
     if (m.share == 0.0) return index;
-    return (1.0 - m.share) * index + m.share * curves[static_cast<std::size_t>(m.other)].at(wavelength_nm);
+    const RefractiveIndex other = curves[static_cast<std::size_t>(m.other)].at(wavelength_nm);
+    if (m.mixing == Mixing::index) return (1.0 - m.share) * index + m.share * other;
+    // As neither k is negative, neither is the imaginary part of any n^2: the principal root has k >= 0.
+    return std::sqrt((1.0 - m.share) * (index * index) + m.share * (other * other));
 }
 
 double expanded_layers(const LayerSystem& system) {
@@ -35,8 +39,8 @@ double expanded_layers(const LayerSystem& system) {
 }
 
 LayerSystemBuilder::LayerSystemBuilder(const Index& incident, const Index& substrate) {
-    system_.incident = medium_of({curve_of(incident), 0, 0.0});
-    system_.substrate = medium_of({curve_of(substrate), 0, 0.0});
+    system_.incident = medium_of({curve_of(incident), 0, 0.0, Mixing::index});
+    system_.substrate = medium_of({curve_of(substrate), 0, 0.0, Mixing::index});
 }
 
 // The latest are looked at first: neighbours are what repeats.
@@ -61,17 +65,18 @@ int LayerSystemBuilder::medium_of(const Medium& medium) {
 void LayerSystemBuilder::layer(const Index& index, double thickness_nm, bool is_incoherent) {
     assert(!is_incoherent || open_groups_.empty());
     LayerNode node;
-    node.medium = medium_of({curve_of(index), 0, 0.0});
+    node.medium = medium_of({curve_of(index), 0, 0.0, Mixing::index});
     node.thickness_nm = thickness_nm;
     node.is_incoherent = is_incoherent;
     system_.nodes.push_back(node);
 }
 
-void LayerSystemBuilder::graded_layer(const Index& from, const Index& to, double share, double thickness_nm) {
+void LayerSystemBuilder::graded_layer(const Index& from, const Index& to, double share, double thickness_nm,
+                                      Mixing mixing) {
     if (share == 0.0) return layer(from, thickness_nm);
     if (share == 1.0) return layer(to, thickness_nm);
     LayerNode node;
-    node.medium = medium_of({curve_of(from), curve_of(to), share});
+    node.medium = medium_of({curve_of(from), curve_of(to), share, mixing});
     node.thickness_nm = thickness_nm;
     system_.nodes.push_back(node);
 }

@@ -7,11 +7,16 @@
 
 namespace nacre {
 
-/// What a layer is made of: a material of the system, or a mixture of two whose index runs from one to the other.
+/// What is proportional to the share of a mixture of two materials: its index, as in a layer whose composition changes
+/// gradually, or its permittivity n^2, as in structures much finer than the wavelength.
+enum class Mixing { index, permittivity };
+
+/// What a layer is made of: a material of the system, or a mixture of two.
 struct Medium {
     int curve = 0;       ///< into LayerSystem::curves
     int other = 0;       ///< likewise
-    double share = 0.0;  ///< index = (1 - share) * curve + share * other, in [0, 1]
+    double share = 0.0;  ///< index (or its square) = (1 - share) * curve + share * other, in [0, 1]
+    Mixing mixing = Mixing::index;
     friend bool operator==(const Medium&, const Medium&) = default;
 };
 
@@ -45,8 +50,9 @@ public:
     LayerSystemBuilder(const Index& incident, const Index& substrate);
 
     void layer(const Index& index, double thickness_nm, bool is_incoherent = false);
-    /// A layer whose index is between two.
-    void graded_layer(const Index& from, const Index& to, double share, double thickness_nm);
+    /// A layer whose index, or permittivity, is between two.
+    void graded_layer(const Index& from, const Index& to, double share, double thickness_nm,
+                      Mixing mixing = Mixing::index);
     /// Groups may hold groups. @pre repeat >= 1; no incoherent layer between the two calls
     void begin_group(int repeat);
     void end_group();

@@ -7,6 +7,7 @@
 
 #include "nacre/optics/incidence.h"
 #include "nacre/optics/layer_system.h"
+#include "nacre/optics/polarisation.h"
 #include "nacre/optics/response.h"
 
 namespace nacre {
@@ -38,10 +39,11 @@ public:
     /// Per wavelength. @param out  as many as there are wavelengths
     void responses(const Incidence& incidence, std::span<Response> out) const;
 
-    /// The sums over wavelengths of weight times reflectance of unpolarised light, without storing the spectrum.
+    /// The sums over wavelengths of weight times reflectance, without storing the spectrum. One polarisation takes
+    /// about 0.7 of the time of their mean: sines and cosines are common to both.
     /// @param weights  three arrays, of padded_count() numbers each; those beyond count() are 0
-    std::array<double, 3> weighted_reflectances(const Incidence& incidence,
-                                                const std::array<const double*, 3>& weights) const;
+    std::array<double, 3> weighted_reflectances(const Incidence& incidence, const std::array<const double*, 3>& weights,
+                                                Polarisation polarisation = Polarisation::mean) const;
 
     std::size_t count() const { return count_; }
     std::size_t padded_count() const;

@@ -24,11 +24,11 @@ struct Column {
     Complex x, y;
 };
 
-// Both polarisations of a column or matrix. True value = value * 2^log2, but for a sign.
+// A column or matrix of one polarisation. True value = value * 2^log2, but for a sign.
 template <class Value>
-struct Pair {
-    Value s, p;
-    V log2_s, log2_p;
+struct Scaled {
+    Value value;
+    V log2;
 };
 
 template <class Number>
@@ -43,11 +43,14 @@ HWY_INLINE void set(Column& to, const Column& from) {
     set(to.y, from.y);
 }
 template <class Value>
-HWY_INLINE void set(Pair<Value>& to, const Pair<Value>& from) {
+HWY_INLINE void set(Scaled<Value>& to, const Scaled<Value>& from) {
+    set(to.value, from.value);
+    to.log2 = from.log2;
+}
+template <class Value, int count>
+HWY_INLINE void set(Polarised<Value, count>& to, const Polarised<Value, count>& from) {
     set(to.s, from.s);
-    set(to.p, from.p);
-    to.log2_s = from.log2_s;
-    to.log2_p = from.log2_p;
+    if constexpr (count == 2) set(to.p, from.p);
 }
 
 template <class Number>
@@ -60,6 +63,16 @@ HWY_INLINE void set_identity(Matrix<Number>& m) {
     } else {
         m = {one, zero, zero, one};
     }
+}
+template <class Value>
+HWY_INLINE void set_identity(Scaled<Value>& m) {
+    set_identity(m.value);
+    m.log2 = hn::Zero(D());
+}
+template <class Value, int count>
+HWY_INLINE void set_identity(Polarised<Value, count>& m) {
+    set_identity(m.s);
+    if constexpr (count == 2) set_identity(m.p);
 }
 
 template <class Number>
@@ -82,11 +95,14 @@ HWY_INLINE void apply(const Matrix<Real>& m, Matrix<Complex>& f) {
     apply(wide, f);
 }
 template <class Number, class Value>
-HWY_INLINE void apply(const Pair<Matrix<Number>>& m, Pair<Value>& f) {
+HWY_INLINE void apply(const Scaled<Matrix<Number>>& m, Scaled<Value>& f) {
+    apply(m.value, f.value);
+    f.log2 = hn::Add(f.log2, m.log2);
+}
+template <class Number, class Value, int count>
+HWY_INLINE void apply(const Polarised<Scaled<Matrix<Number>>, count>& m, Polarised<Scaled<Value>, count>& f) {
     apply(m.s, f.s);
-    apply(m.p, f.p);
-    f.log2_s = hn::Add(f.log2_s, m.log2_s);
-    f.log2_p = hn::Add(f.log2_p, m.log2_p);
+    if constexpr (count == 2) apply(m.p, f.p);
 }
 
 // Plain squaring: shortcuts through the trace or through sines of the period's phase lose their digits at band edges.
@@ -98,6 +114,16 @@ HWY_INLINE void square(Matrix<Number>& m) {
     set(m.d, square_minus(m.d, bc));
     set(m.b, m.b * trace);
     set(m.c, m.c * trace);
+}
+template <class Value>
+HWY_INLINE void square(Scaled<Value>& m) {
+    square(m.value);
+    m.log2 = hn::Add(m.log2, m.log2);
+}
+template <class Value, int count>
+HWY_INLINE void square(Polarised<Value, count>& m) {
+    square(m.s);
+    if constexpr (count == 2) square(m.p);
 }
 
 HWY_INLINE V largest_part(const Column& f) {
@@ -121,19 +147,19 @@ HWY_INLINE void scale(Matrix<Number>& m, V factor) {
 
 // Brings the largest part to [1, 2) by a power of 2, which costs no digits, and notes it.
 template <class Value>
-HWY_INLINE void rescale(Value& value, V& log2) {
+HWY_INLINE void rescale(Scaled<Value>& scaled) {
     const D d;
     const hn::RebindToUnsigned<D> du;
-    const auto exponent = hn::ShiftRight<52>(hn::BitCast(du, largest_part(value)));  // biased by 1023
-    scale(value, hn::BitCast(d, hn::ShiftLeft<52>(hn::Sub(hn::Set(du, 2046), exponent))));
+    const auto exponent = hn::ShiftRight<52>(hn::BitCast(du, largest_part(scaled.value)));  // biased by 1023
+    scale(scaled.value, hn::BitCast(d, hn::ShiftLeft<52>(hn::Sub(hn::Set(du, 2046), exponent))));
     // As a number: the bits of a whole number of at most 52 bits, behind those of 2^52.
     const V whole = hn::BitCast(d, hn::Or(exponent, hn::BitCast(du, hn::Set(d, 0x1p52))));
-    log2 = hn::Add(log2, hn::Sub(whole, hn::Set(d, 0x1p52 + 1023)));
+    scaled.log2 = hn::Add(scaled.log2, hn::Sub(whole, hn::Set(d, 0x1p52 + 1023)));
 }
-template <class Value>
-HWY_INLINE void rescale(Pair<Value>& pair) {
-    rescale(pair.s, pair.log2_s);
-    rescale(pair.p, pair.log2_p);
+template <class Value, int count>
+HWY_INLINE void rescale(Polarised<Value, count>& both) {
+    rescale(both.s);
+    if constexpr (count == 2) rescale(both.p);
 }
 
 // A bound on the growth since the last rescaling, as a power of 2: at this size the fourth power still is a double,
@@ -142,9 +168,9 @@ constexpr int most_growth = 200;
 
 // The power of a group's matrix, by the bits of the exponent from the top, squaring in between.
 // @param growth  of the matrix, well below the most. @return  that of the power
-template <class Number>
-HWY_INLINE int raise(Pair<Matrix<Number>>& m, int exponent, int growth) {
-    Pair<Matrix<Number>> once;
+template <class Number, int count>
+HWY_INLINE int raise(Polarised<Scaled<Matrix<Number>>, count>& m, int exponent, int growth) {
+    Polarised<Scaled<Matrix<Number>>, count> once;
     set(once, m);
     const int growth_once = growth;
     int bit = 1;
@@ -155,10 +181,7 @@ HWY_INLINE int raise(Pair<Matrix<Number>>& m, int exponent, int growth) {
             rescale(m);
             growth = 1;
         }
-        square(m.s);
-        square(m.p);
-        m.log2_s = hn::Add(m.log2_s, m.log2_s);
-        m.log2_p = hn::Add(m.log2_p, m.log2_p);
+        square(m);
         growth = 2 * growth + 2;
         if ((exponent & bit) == 0) continue;
         apply(once, m);

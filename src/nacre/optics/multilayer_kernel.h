@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "nacre/optics/layer_system.h"
+#include "nacre/optics/polarisation.h"
 #include "nacre/optics/response.h"
 #include "nacre/optics/transverse.h"
 
@@ -61,6 +62,7 @@ struct LayersAtAngle {
 
 /// @param out  padded
 void multilayer_responses(const LayersAtAngle& angle, Response* out);
-std::array<double, 3> multilayer_weighted(const LayersAtAngle& angle, const std::array<const double*, 3>& weights);
+std::array<double, 3> multilayer_weighted(const LayersAtAngle& angle, const std::array<const double*, 3>& weights,
+                                          Polarisation polarisation);
 
 }  // namespace nacre

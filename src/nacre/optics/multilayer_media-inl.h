@@ -19,16 +19,15 @@ namespace HWY_NAMESPACE {
 
 // A medium at a register of wavelengths and an angle. q: normal component of the wave vector over 2 pi / wavelength.
 template <class Number>
-struct Waves {
-    Number s;          // q: admittance of s
-    Number s_inverse;  // 1 / q
-    Number p;          // q / n^2: admittance of p
-    Number p_inverse;
+struct Admittance {
+    Number value;  // of s: q, of p: q / n^2
+    Number inverse;
 };
+// In memory: value and inverse of s, and then of p.
 constexpr std::size_t numbers_of_waves = 4;
 
 // One register of wavelengths: what layers are asked for. Media are prepared in planes, that is registers: the real
-// parts of the Waves, the imaginary ones, and what the phase and the loss are per nm.
+// parts of the admittances, the imaginary ones, and what the phase and the loss are per nm.
 class Block {
 public:
     static constexpr std::size_t phase_plane = 2 * numbers_of_waves;
@@ -37,13 +36,15 @@ public:
 
     // @param cache  of the media, `cached` of them and a spare one, as the block before this one left it; zeros at
     // first
-    HWY_INLINE Block(const LayersAtAngle& angle, std::size_t first, double* cache, std::size_t cached,
-                     const Coefficients& coefficients)
+    // @param polarisation  mean: both
+    HWY_INLINE Block(const LayersAtAngle& angle, Polarisation polarisation, std::size_t first, double* cache,
+                     std::size_t cached, const Coefficients& coefficients)
         : coefficients_(coefficients),
           angle_(angle),
           layers_(*angle.layers),
           steps_(layers_.steps.data()),
           is_plain_step_(angle.is_plain_step.data()),
+          first_number_(polarisation == Polarisation::p ? 2 : 0),
           first_(first),
           cache_(cache),
           cached_(cached) {
@@ -64,15 +65,20 @@ public:
         if (HWY_LIKELY(std::size_t(i) < cached_)) return planes_of(std::size_t(i));
         return spare(std::size_t(i));
     }
-    template <class Number>
-    static HWY_INLINE Waves<Number> waves(const double* medium) {
-        return {number<Number>(medium, 0), number<Number>(medium, 1), number<Number>(medium, 2),
-                number<Number>(medium, 3)};
+    template <class Number, int count>
+    HWY_INLINE Polarised<Admittance<Number>, count> admittances(const double* medium) const {
+        if constexpr (count == 1) {
+            return {admittance<Number>(medium, first_number_)};
+        } else {
+            return {admittance<Number>(medium, 0), admittance<Number>(medium, 2)};
+        }
     }
-    template <class Number>
-    HWY_INLINE Waves<Number> waves(int i) const {
-        return waves<Number>(medium(i));
+    template <class Number, int count>
+    HWY_INLINE Polarised<Admittance<Number>, count> admittances(int i) const {
+        return admittances<Number, count>(medium(i));
     }
+    // q
+    static HWY_INLINE Complex normal_component(const double* medium) { return number<Complex>(medium, 0); }
     static HWY_INLINE V plane(const double* medium, std::size_t i) {
         const D d;
         return hn::Load(d, medium + i * hn::Lanes(d));
@@ -86,6 +92,10 @@ private:
         } else {
             return {plane(medium, i), plane(medium, i + numbers_of_waves)};
         }
+    }
+    template <class Number>
+    static HWY_INLINE Admittance<Number> admittance(const double* medium, std::size_t first) {
+        return {number<Number>(medium, first), number<Number>(medium, first + 1)};
     }
     static HWY_INLINE void store(V value, double* medium, std::size_t i) {
         const D d;
@@ -107,26 +117,52 @@ private:
         return at;
     }
 
-    HWY_INLINE V mixed(const std::vector<double>& rows, const Medium& medium) const {
+    HWY_INLINE V row(const std::vector<double>& rows, int curve) const {
+        return hn::LoadU(D(), rows.data() + std::size_t(curve) * layers_.wavelengths + first_);
+    }
+    static HWY_INLINE V between(V a, V b, double share) {
         const D d;
-        const V a = hn::LoadU(d, rows.data() + std::size_t(medium.curve) * layers_.wavelengths + first_);
+        return hn::MulAdd(hn::Set(d, share), b, hn::Mul(hn::Set(d, 1.0 - share), a));
+    }
+    HWY_INLINE Complex permittivity(int curve) const {
+        const Complex index{row(layers_.n, curve), row(layers_.k, curve)};
+        return index * index;
+    }
+
+    // Of a lossless medium.
+    HWY_INLINE V real_index(const Medium& medium) const {
+        const V a = row(layers_.n, medium.curve);
         if (medium.share == 0.0) return a;
-        const V b = hn::LoadU(d, rows.data() + std::size_t(medium.other) * layers_.wavelengths + first_);
-        return hn::MulAdd(hn::Set(d, medium.share), b, hn::Mul(hn::Set(d, 1.0 - medium.share), a));
+        const V b = row(layers_.n, medium.other);
+        if (medium.mixing == Mixing::index) return between(a, b, medium.share);
+        return hn::Sqrt(between(hn::Mul(a, a), hn::Mul(b, b), medium.share));
+    }
+    HWY_INLINE Complex index(const Medium& medium) const {
+        if (medium.share != 0.0 && medium.mixing == Mixing::permittivity) {
+            const Complex a = permittivity(medium.curve);
+            const Complex b = permittivity(medium.other);
+            return square_root({between(a.re, b.re, medium.share), between(a.im, b.im, medium.share)});
+        }
+        const V n = row(layers_.n, medium.curve);
+        const V k = row(layers_.k, medium.curve);
+        if (medium.share == 0.0) return {n, k};
+        return {between(n, row(layers_.n, medium.other), medium.share),
+                between(k, row(layers_.k, medium.other), medium.share)};
     }
 
     // q is kept from 0, so that what is regular there needs no case of its own.
     HWY_INLINE void prepare(std::size_t medium, double* at) const {
         const D d;
-        const V n0 = mixed(layers_.n, layers_.media[std::size_t(layers_.incident)]);
+        const V n0 = real_index(layers_.media[std::size_t(layers_.incident)]);
         const V u = hn::Mul(n0, hn::Set(d, angle_.transverse.u_per_n0));
         const V v = hn::Mul(hn::Mul(n0, n0), hn::Set(d, angle_.transverse.v_per_n0_squared));
-        const V n = mixed(layers_.n, layers_.media[medium]);
-        const V distance = hn::MulAdd(hn::Sub(n, u), hn::Add(n, u), v);
+        const auto distance = [&](V n) HWY_ATTR { return hn::MulAdd(hn::Sub(n, u), hn::Add(n, u), v); };
         if (angle_.is_plain[medium]) {
-            prepare_plain(n, distance, at);
+            const V n = real_index(layers_.media[medium]);
+            prepare_plain(n, distance(n), at);
         } else {
-            prepare_lossy(n, mixed(layers_.k, layers_.media[medium]), distance, at);
+            const auto [n, k] = index(layers_.media[medium]);
+            prepare_lossy(n, k, distance(n), at);
         }
     }
 
@@ -175,6 +211,7 @@ private:
     const PreparedLayers& layers_;
     const LayerStep* steps_;
     const char* is_plain_step_;
+    std::size_t first_number_;  // of the one polarisation, if there is one only
     std::size_t first_;
     double* cache_;
     std::size_t cached_;

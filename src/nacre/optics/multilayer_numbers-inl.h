@@ -26,6 +26,19 @@ struct Complex {
     V im;
 };
 
+// What both polarisations have of their own, or one of the two: s stands for whichever it is, as they differ in their
+// admittances only.
+template <class Value, int count>
+struct Polarised;
+template <class Value>
+struct Polarised<Value, 1> {
+    Value s;
+};
+template <class Value>
+struct Polarised<Value, 2> {
+    Value s, p;
+};
+
 HWY_INLINE Real operator*(Real a, Real b) {
     return {hn::Mul(a.re, b.re)};
 }

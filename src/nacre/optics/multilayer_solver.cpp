@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <complex>
 #include <limits>
 #include <numbers>
 #include <utility>
@@ -65,20 +66,57 @@ void split_into_parts(const LayerSystem& system, PreparedLayers& prepared) {
     close(system.nodes.size(), system.substrate);
 }
 
+// |n|^2 over all wavelengths.
+struct Norms {
+    double least = std::numeric_limits<double>::infinity();
+    double largest = 0.0;
+
+    void add(double norm) {
+        least = std::min(least, norm);
+        largest = std::max(largest, norm);
+    }
+};
+
+// Of a medium whose index lies between two: no larger, and no smaller than by a factor of 2.
+Norms norms_between(const Norms& one, const Norms& other) {
+    return {std::min(one.least, other.least), std::max(one.largest, other.largest)};
+}
+
+// Of a medium whose permittivity lies between two. It may be next to nothing, as that of a metal is negative.
+Norms norms_of_permittivity(const PreparedLayers& prepared, const Medium& medium) {
+    const auto permittivity = [&](int curve, std::size_t i) {
+        const std::size_t at = static_cast<std::size_t>(curve) * prepared.wavelengths + i;
+        const RefractiveIndex n(prepared.n[at], prepared.k[at]);
+        return n * n;
+    };
+    Norms norms;
+    for (std::size_t i = 0; i < prepared.wavelengths; ++i) {
+        norms.add(std::abs((1.0 - medium.share) * permittivity(medium.curve, i) +
+                           medium.share * permittivity(medium.other, i)));
+    }
+    return norms;
+}
+
 // Bounds on the entries of layers' matrices: cos a, sin a / q, q sin a, and the latter two times and over n^2.
-// @param least_norm, largest_norm  |n|^2 of every curve
-void set_growths(const std::vector<double>& least_norm, const std::vector<double>& largest_norm,
-                 std::span<const double> wavelength_nm, PreparedLayers& prepared) {
+// @param of_curve  |n|^2 of every curve
+void set_growths(const std::vector<Norms>& of_curve, std::span<const double> wavelength_nm, PreparedLayers& prepared) {
+    std::vector<Norms> of_medium;
+    for (const Medium& medium : prepared.media) {
+        const Norms& curve = of_curve[static_cast<std::size_t>(medium.curve)];
+        if (medium.share == 0.0) {
+            of_medium.push_back(curve);
+        } else if (medium.mixing == Mixing::index) {
+            of_medium.push_back(norms_between(curve, of_curve[static_cast<std::size_t>(medium.other)]));
+        } else {
+            of_medium.push_back(norms_of_permittivity(prepared, medium));
+        }
+    }
     double least_nm = std::numeric_limits<double>::infinity();
     for (const double nm : wavelength_nm) least_nm = std::min(least_nm, nm);
     const double n0_squared = prepared.largest_n0 * prepared.largest_n0;
     for (LayerStep& step : prepared.steps) {
         if (step.repeat > 0) continue;
-        const Medium& medium = prepared.media[static_cast<std::size_t>(step.medium)];
-        const auto curve = static_cast<std::size_t>(medium.curve);
-        const auto other = medium.share == 0.0 ? curve : static_cast<std::size_t>(medium.other);
-        const double least = std::min(least_norm[curve], least_norm[other]);
-        const double largest = std::max(largest_norm[curve], largest_norm[other]);
+        const auto [least, largest] = of_medium[static_cast<std::size_t>(step.medium)];
         const double q = std::sqrt(largest + n0_squared);
         const double path = 2.0 * std::numbers::pi * step.thickness_nm / least_nm;
         const double entry = std::max({1.0, path, path * largest, q, q / least});
@@ -94,8 +132,7 @@ void sample_indices(const LayerSystem& system, std::span<const double> wavelengt
     std::vector<double> least(system.curves.size(), std::numeric_limits<double>::infinity());
     std::vector<double> largest(system.curves.size(), 0.0);
     std::vector<char> lossless(system.curves.size(), 1);
-    std::vector<double> least_norm = least;
-    std::vector<double> largest_norm = largest;
+    std::vector<Norms> norms(system.curves.size());
     for (std::size_t curve = 0; curve < system.curves.size(); ++curve) {
         for (const double nm : wavelength_nm) {
             const RefractiveIndex index = system.curves[curve].at(nm);
@@ -104,8 +141,7 @@ void sample_indices(const LayerSystem& system, std::span<const double> wavelengt
             least[curve] = std::min(least[curve], index.real());
             largest[curve] = std::max(largest[curve], index.real());
             if (index.imag() != 0.0) lossless[curve] = 0;
-            least_norm[curve] = std::min(least_norm[curve], std::norm(index));
-            largest_norm[curve] = std::max(largest_norm[curve], std::norm(index));
+            norms[curve].add(std::norm(index));
         }
     }
     for (const Medium& medium : system.media) {
@@ -122,7 +158,7 @@ void sample_indices(const LayerSystem& system, std::span<const double> wavelengt
                                          !system.curves[static_cast<std::size_t>(medium.other)].is_constant() ||
                                          !system.curves[incident].is_constant());
     }
-    set_growths(least_norm, largest_norm, wavelength_nm, prepared);
+    set_growths(norms, wavelength_nm, prepared);
 }
 
 }  // namespace
@@ -182,8 +218,9 @@ void MultilayerSolver::responses(const Incidence& incidence, std::span<Response>
 }
 
 std::array<double, 3> MultilayerSolver::weighted_reflectances(const Incidence& incidence,
-                                                              const std::array<const double*, 3>& weights) const {
-    return multilayer_weighted(at_angle(*prepared_, incidence), weights);
+                                                              const std::array<const double*, 3>& weights,
+                                                              Polarisation polarisation) const {
+    return multilayer_weighted(at_angle(*prepared_, incidence), weights, polarisation);
 }
 
 }  // namespace nacre

@@ -14,21 +14,34 @@ HWY_BEFORE_NAMESPACE();
 namespace nacre {
 namespace HWY_NAMESPACE {
 
-HWY_INLINE void layer(const Block& block, const LayerStep& step, Pair<Matrix<Real>>& m) {
+// From the cosine and the sine of a layer's phase.
+template <class Number>
+HWY_INLINE void set_layer(Scaled<Matrix<Number>>& m, Number cosine, Number sine, Admittance<Number> admittance,
+                          V log2) {
+    set(m.value.a, cosine);
+    set(m.value.b, sine * admittance.inverse);
+    set(m.value.c, sine * admittance.value);
+    set(m.value.d, cosine);
+    m.log2 = log2;
+}
+template <class Number, int count>
+HWY_INLINE void set_layer(Polarised<Scaled<Matrix<Number>>, count>& m, Number cosine, Number sine,
+                          const Polarised<Admittance<Number>, count>& admittances, V log2) {
+    set_layer(m.s, cosine, sine, admittances.s, log2);
+    if constexpr (count == 2) set_layer(m.p, cosine, sine, admittances.p, log2);
+}
+
+template <int count>
+HWY_INLINE void layer(const Block& block, const LayerStep& step, Polarised<Scaled<Matrix<Real>>, count>& m) {
     const D d;
     const double* medium = block.medium(step.medium);
     const auto [sine, cosine] = sine_cosine(
         hn::Mul(hn::Set(d, step.thickness_nm), Block::plane(medium, Block::phase_plane)), block.coefficients());
-    const Waves<Real> waves = Block::waves<Real>(medium);
-    m.s.a.re = m.s.d.re = m.p.a.re = m.p.d.re = cosine;
-    m.s.b.re = hn::Mul(sine, waves.s_inverse.re);
-    m.s.c.re = hn::Mul(sine, waves.s.re);
-    m.p.b.re = hn::Mul(sine, waves.p_inverse.re);
-    m.p.c.re = hn::Mul(sine, waves.p.re);
-    m.log2_s = m.log2_p = hn::Zero(d);
+    set_layer(m, Real{cosine}, Real{sine}, block.admittances<Real, count>(medium), hn::Zero(d));
 }
 
-HWY_INLINE void layer(const Block& block, const LayerStep& step, Pair<Matrix<Complex>>& m) {
+template <int count>
+HWY_INLINE void layer(const Block& block, const LayerStep& step, Polarised<Scaled<Matrix<Complex>>, count>& m) {
     const D d;
     const V thickness = hn::Set(d, step.thickness_nm);
     const double* medium = block.medium(step.medium);
@@ -38,16 +51,7 @@ HWY_INLINE void layer(const Block& block, const LayerStep& step, Pair<Matrix<Com
         sinh_cosh(hn::Mul(thickness, Block::plane(medium, Block::loss_plane)), block.coefficients());
     const Complex cos_a{hn::Mul(cosine, cosh), hn::Neg(hn::Mul(sine, sinh))};
     const Complex sin_a{hn::Mul(sine, cosh), hn::Mul(cosine, sinh)};
-    const Waves<Complex> waves = Block::waves<Complex>(medium);
-    set(m.s.a, cos_a);
-    set(m.s.b, sin_a * waves.s_inverse);
-    set(m.s.c, sin_a * waves.s);
-    set(m.s.d, cos_a);
-    set(m.p.a, cos_a);
-    set(m.p.b, sin_a * waves.p_inverse);
-    set(m.p.c, sin_a * waves.p);
-    set(m.p.d, cos_a);
-    m.log2_s = m.log2_p = doublings;
+    set_layer(m, cos_a, sin_a, block.admittances<Complex, count>(medium), doublings);
 }
 
 // Steps in the order in which fields climb through them.
@@ -63,16 +67,26 @@ HWY_INLINE Walk walk_through(int first, int last, int direction) {
     return {direction < 0 ? last - 1 : first, last - first, direction};
 }
 
+// A plain layer has no scale of its own.
+template <class Number, class Value>
+HWY_INLINE void apply_layer(const Scaled<Matrix<Number>>& m, Scaled<Value>& f) {
+    if constexpr (sizeof(Number) == sizeof(Real)) {
+        apply(m.value, f.value);
+    } else {
+        apply(m, f);
+    }
+}
+
 // Layers one after the other, as long as they are of one kind: the fields stay in registers.
 // @return  how many of the steps these are
-template <class Number, class Value>
-HWY_INLINE int apply_layers(const Block& block, Walk walk, Pair<Value>& fields, int& growth) {
+template <class Number, class Value, int count>
+HWY_INLINE int apply_layers(const Block& block, Walk walk, Polarised<Scaled<Value>, count>& fields, int& growth) {
     constexpr bool is_plain = sizeof(Number) == sizeof(Real);
-    Pair<Value> f;
+    Polarised<Scaled<Value>, count> f;
     set(f, fields);
     int grown = growth;
-    int count = 0;
-    for (int i = walk.begin; count < walk.count; ++count, i += walk.direction) {
+    int applied = 0;
+    for (int i = walk.begin; applied < walk.count; ++applied, i += walk.direction) {
         const LayerStep& step = block.step(i);
         if (step.repeat > 0 || block.is_plain_step(i) != is_plain) break;
         grown += step.growth;
@@ -80,44 +94,38 @@ HWY_INLINE int apply_layers(const Block& block, Walk walk, Pair<Value>& fields, 
             rescale(f);
             grown = 1 + step.growth;
         }
-        Pair<Matrix<Number>> m;
+        Polarised<Scaled<Matrix<Number>>, count> m;
         layer(block, step, m);
-        apply(m.s, f.s);
-        apply(m.p, f.p);
-        if constexpr (!is_plain) {
-            f.log2_s = hn::Add(f.log2_s, m.log2_s);
-            f.log2_p = hn::Add(f.log2_p, m.log2_p);
-        }
+        apply_layer(m.s, f.s);
+        if constexpr (count == 2) apply_layer(m.p, f.p);
     }
     growth = grown;
     set(fields, f);
-    return count;
+    return applied;
 }
 
-template <class Value>
-void apply_steps(const Block& block, Walk walk, Pair<Value>& fields, int& growth);
+template <class Value, int count>
+void apply_steps(const Block& block, Walk walk, Polarised<Scaled<Value>, count>& fields, int& growth);
 
 // The matrix of one period of a group. @return  growth
-template <class Number>
-HWY_NOINLINE int any_period(const Block& block, Walk members, Pair<Matrix<Number>>& m) {
+template <class Number, int count>
+HWY_NOINLINE int any_period(const Block& block, Walk members, Polarised<Scaled<Matrix<Number>>, count>& m) {
     int growth = 0;
-    set_identity(m.s);
-    set_identity(m.p);
-    m.log2_s = m.log2_p = hn::Zero(D());
+    set_identity(m);
     apply_steps(block, members, m, growth);
     return growth;
 }
 
 // The same for a few layers: the usual mirror. No identity to begin with, nothing through memory. A plain layer among
 // lossy ones is taken for a lossy one without loss.
-template <class Number>
-HWY_INLINE int short_period(const Block& block, Walk members, Pair<Matrix<Number>>& m) {
+template <class Number, int count>
+HWY_INLINE int short_period(const Block& block, Walk members, Polarised<Scaled<Matrix<Number>>, count>& m) {
     int i = members.begin;
     layer(block, block.step(i), m);
     int growth = block.step(i).growth;
     for (int left = members.count - 1; left > 0; --left) {
         const LayerStep& step = block.step(i += members.direction);
-        Pair<Matrix<Number>> next;
+        Polarised<Scaled<Matrix<Number>>, count> next;
         layer(block, step, next);
         apply(next, m);
         growth += step.growth;
@@ -126,15 +134,16 @@ HWY_INLINE int short_period(const Block& block, Walk members, Pair<Matrix<Number
 }
 
 // The matrix of a group. @return  growth
-template <class Number>
-HWY_INLINE int group(const Block& block, const LayerStep& step, int direction, Pair<Matrix<Number>>& m) {
+template <class Number, int count>
+HWY_INLINE int group(const Block& block, const LayerStep& step, int direction,
+                     Polarised<Scaled<Matrix<Number>>, count>& m) {
     const Walk members = walk_through(step.first, step.last, direction);
     int growth = 0;
     if (step.is_short) {
         growth = short_period(block, members, m);
     } else {
         // A matrix of its own: one whose address goes to a function that is not inlined stays in memory for good.
-        Pair<Matrix<Number>> any;
+        Polarised<Scaled<Matrix<Number>>, count> any;
         growth = any_period(block, members, any);
         set(m, any);
     }
@@ -146,10 +155,10 @@ HWY_INLINE int group(const Block& block, const LayerStep& step, int direction, P
     return raise(m, step.repeat, growth);
 }
 
-template <class Number, class Value>
-HWY_NOINLINE void apply_group(const Block& block, const LayerStep& step, int direction, Pair<Value>& fields,
-                              int& growth) {
-    Pair<Matrix<Number>> m;
+template <class Number, class Value, int count>
+HWY_NOINLINE void apply_group(const Block& block, const LayerStep& step, int direction,
+                              Polarised<Scaled<Value>, count>& fields, int& growth) {
+    Polarised<Scaled<Matrix<Number>>, count> m;
     const int grows = group(block, step, direction, m);
     if (growth + grows > most_growth) {
         rescale(fields);
@@ -165,28 +174,28 @@ constexpr bool takes_lossy = true;
 template <>
 constexpr bool takes_lossy<Matrix<Real>> = false;
 
-template <class Value>
-void apply_steps(const Block& block, Walk walk, Pair<Value>& fields, int& growth) {
+template <class Value, int count>
+void apply_steps(const Block& block, Walk walk, Polarised<Scaled<Value>, count>& fields, int& growth) {
     const int end = walk.begin + walk.count * walk.direction;
     const auto rest = [&] { return Walk{walk.begin, (end - walk.begin) * walk.direction, walk.direction}; };
     while (walk.begin != end) {
         const LayerStep& step = block.step(walk.begin);
         const bool is_plain = block.is_plain_step(walk.begin);
-        int count = 1;
+        int applied = 1;
         if (is_plain || !takes_lossy<Value>) {
             if (step.repeat > 0) {
                 apply_group<Real>(block, step, walk.direction, fields, growth);
             } else {
-                count = apply_layers<Real>(block, rest(), fields, growth);
+                applied = apply_layers<Real>(block, rest(), fields, growth);
             }
         } else if constexpr (takes_lossy<Value>) {
             if (step.repeat > 0) {
                 apply_group<Complex>(block, step, walk.direction, fields, growth);
             } else {
-                count = apply_layers<Complex>(block, rest(), fields, growth);
+                applied = apply_layers<Complex>(block, rest(), fields, growth);
             }
         }
-        walk.begin += count * walk.direction;
+        walk.begin += applied * walk.direction;
     }
 }
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "nacre/optics/polarisation.h"
+
 namespace nacre {
 
 /// What becomes of the light at one wavelength, per polarisation: fractions of the incident power, each in [0, 1],
@@ -14,5 +16,17 @@ struct Response {
     double reflectance() const { return 0.5 * (reflectance_s + reflectance_p); }
     double transmittance() const { return 0.5 * (transmittance_s + transmittance_p); }
 };
+
+inline double reflectance_of(const Response& response, Polarisation polarisation) {
+    return polarisation == Polarisation::mean ? response.reflectance()
+           : polarisation == Polarisation::s  ? response.reflectance_s
+                                              : response.reflectance_p;
+}
+
+inline double transmittance_of(const Response& response, Polarisation polarisation) {
+    return polarisation == Polarisation::mean ? response.transmittance()
+           : polarisation == Polarisation::s  ? response.transmittance_s
+                                              : response.transmittance_p;
+}
 
 }  // namespace nacre

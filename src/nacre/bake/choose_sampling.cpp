@@ -1,0 +1,437 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "nacre/bake/bends.h"
+#include "nacre/bake/colour_distance.h"
+#include "nacre/bake/layered_colour.h"
+#include "nacre/bake/plan.h"
+#include "nacre/bake/sampler.h"
+#include "nacre/bake/spectral_sampling.h"
+#include "nacre/bake/thick_layers.h"
+#include "nacre/colour/difference.h"
+
+namespace nacre {
+namespace {
+
+constexpr int fewest_nodes = 16;
+constexpr int fewest_realisations = 32;
+constexpr int realisations_for_nodes = 16;
+// Enough to see whether a spread of thicknesses counts at all.
+constexpr int realisations_of_a_look = 64;
+
+// Of a choice, in reflectances of a film: some five seconds.
+constexpr double most_effort = 5e8;
+
+// Square roots of the cosines at which each band is probed.
+constexpr std::array<std::array<double, 6>, band_least_cos_theta.size()> probe_sqrt_cos{
+    {{1.0, 0.92, 0.82, 0.72, 0.63, 0.56},
+     {0.53, 0.47, 0.4, 0.34, 0.28, 0.23},
+     {0.21, 0.17, 0.14, 0.11, 0.09, 0.07},
+     {0.06, 0.045, 0.03, 0.02, 0.01, 0.005}}};
+// And at which facets' means are.
+constexpr std::array tilt_probe_sqrt_cos{1.0, 0.93, 0.84, 0.7, 0.5, 0.3, 0.1};
+
+// How many tolerances a band may err by. In a film that stands free, light that grazes it runs to and fro so often that
+// no grid resolves its fringes: there an error falls only as they are hit by more nodes.
+constexpr std::array<double, band_least_cos_theta.size()> band_patience{1.0, 1.0, 2.0, 3.0};
+
+// What an effect changes between the probes may be half as much again.
+constexpr double between_probes = 1.5;
+
+constexpr std::array hemisphere_points{3, 4, 6, 8, 12, 16, 24, 32, 48, 64};
+constexpr std::array tilt_points{TiltPoints{2, 4},   TiltPoints{3, 6},   TiltPoints{4, 8},   TiltPoints{6, 12},
+                                 TiltPoints{8, 16},  TiltPoints{12, 24}, TiltPoints{16, 32}, TiltPoints{24, 48},
+                                 TiltPoints{32, 64}, TiltPoints{48, 96}};
+constexpr std::array size_points{4, 6, 8, 12, 16, 24, 32, 48, 64, 96, 128, 192, 256, 384, 512};
+
+// The next count that is worth trying: steps of a third or a quarter.
+int next_count(int count) {
+    int power = fewest_nodes;
+    while (2 * power <= count) power *= 2;
+    for (const int quarters : {5, 6, 8}) {
+        if (power * quarters / 4 > count) return power * quarters / 4;
+    }
+    return 2 * power;
+}
+
+// A material, and where light and eye are when it is looked at.
+struct Probes {
+    Mechanism mechanism;
+    std::vector<Geometry> geometries;
+};
+
+class Chooser {
+public:
+    Chooser(const Job& job, const SamplingTolerance& tolerance, const SamplingWish& wish,
+            const std::function<void()>& after_step)
+        : job_(job), tolerance_(tolerance), wish_(wish), after_step_(after_step) {
+        chosen_.without = job.without;
+        place_probes();
+        per_sample_ = effort_per_sample(job.material.mechanism);
+    }
+
+    ChosenSampling choose() {
+        const EffectSet named = effects_in(job_);
+        const bool is_spread_in_size = named.has(Effect::size_spread) && !chosen_.without.has(Effect::size_spread);
+        if (is_spread_in_size) choose_sizes();
+        if (samples_spectra(job_.material.mechanism)) choose_all_nodes();
+        look_at_effects(named);
+        const auto is_in = [&](Effect effect) { return named.has(effect) && !chosen_.without.has(effect); };
+        if (!is_in(Effect::size_spread)) chosen_.sampling.sizes = 1;
+        if (is_in(Effect::base) && is_layered(job_.material.mechanism)) choose_hemisphere();
+        if (is_in(Effect::thickness_spread)) choose_realisations();
+        if (is_in(Effect::tilt)) choose_tilt();
+        return std::move(chosen_);
+    }
+
+private:
+    using Colours = std::vector<Xyz>;
+
+    void place_probes() {
+        const Quantity quantity = quantity_of(job_.material.mechanism);
+        const bool has_angle = job_.x.is_angle() || (job_.y && job_.y->is_angle());
+        for (std::size_t band = 0; band < bands_.size(); ++band) {
+            std::vector<Geometry> geometries;
+            if (!has_angle) {
+                geometries = {job_.fixed};
+            } else if (quantity == Quantity::incidence) {
+                for (const double s : probe_sqrt_cos[band]) geometries.push_back(Incidence::from_sqrt_cos(s));
+            } else if (band == 0) {
+                constexpr int count = 17;
+                const AxisKind& kind = default_axis_kind(quantity);
+                for (int i = 0; i < count; ++i) geometries.push_back(kind.geometry(coordinate_of_texel(i, count)));
+            }
+            if (geometries.empty() || (!has_angle && !is_band_of_fixed(band))) continue;
+            place_mechanisms(band, geometries);
+        }
+    }
+
+    // Without an angle on an axis one band is all there is; the others are never asked for.
+    bool is_band_of_fixed(std::size_t band) const {
+        return band == 0 ||
+               (quantity_of(job_.material.mechanism) == Quantity::incidence && band == band_of(job_.fixed.incidence));
+    }
+
+    void place_mechanisms(std::size_t band, const std::vector<Geometry>& geometries) {
+        const bool x_moves = !job_.x.is_angle();
+        const bool y_moves = job_.y && !job_.y->is_angle();
+        const int along = x_moves ? (y_moves ? 5 : 9) : 1;
+        const int across = y_moves ? (x_moves ? 5 : 9) : 1;
+        for (int i = 0; i < along * across; ++i) {
+            const double x = coordinate_of_texel(i % along, along);
+            bands_[band].push_back({simulated_at(job_, x, coordinate_of_texel(i / along, across)), geometries});
+        }
+    }
+
+    double first_nm() const { return job_.light->settings.first_nm; }
+    double effort() const { return per_sample_ * static_cast<double>(chosen_.work.samples); }
+
+    // Of the surface itself, without facets.
+    Colours colours(std::size_t band, const SpectralSampling& sampling, const EffectSet& less = {}) {
+        EffectSet without = less;
+        without.insert(Effect::tilt);
+        Colours result;
+        for (const Probes& probes : bands_[band]) {
+            Mechanism mechanism = probes.mechanism;
+            remove(without, mechanism, first_nm());
+            PreparedColour prepared = prepare_colour(mechanism, sampling, *job_.light, Integral::exact);
+            for (const Geometry& geometry : probes.geometries) {
+                result.push_back(adapt(job_.light->adaptation, colour_at(prepared, geometry, chosen_.work)));
+                if (after_step_) after_step_();
+            }
+        }
+        return result;
+    }
+
+    // At the scale of what is brightest anywhere: the first band has been seen by then.
+    double largest_difference(const Colours& one, const Colours& other) {
+        for (const Xyz& colour : other) brightest_ = std::max(brightest_, colour.y);
+        double largest = 0.0;
+        for (std::size_t i = 0; i < one.size(); ++i)
+            largest = std::max(largest, distance_at(one[i], other[i], brightest_));
+        return largest;
+    }
+
+    std::shared_ptr<const SpectralNodes> nodes(int count) const {
+        return std::make_shared<const SpectralNodes>(make_spectral_nodes(job_.light->weights, count));
+    }
+
+    SpectralSampling with_nodes(std::shared_ptr<const SpectralNodes> nodes) const {
+        SpectralSampling sampling = chosen_.sampling;
+        sampling.nodes.fill(std::move(nodes));
+        return sampling;
+    }
+
+    // Some uneven layers decide on the nodes, if they are uneven: their mean is smoother than what is regular.
+    void choose_all_nodes() {
+        const Light& light = *job_.light;
+        if (light.settings.wavelengths) {
+            // A scene that insists on its wavelengths gets every fringe as they sample it.
+            chosen_.sampling.nodes.fill(
+                std::make_shared<const SpectralNodes>(make_spectral_nodes(light.grid_weights, light.grid)));
+            return;
+        }
+        if (is_layered(job_.material.mechanism)) chosen_.sampling.blurred = thick_layers(job_, tolerance_.nodes);
+        if (is_uneven()) chosen_.sampling.realisations = realisations_for_nodes;
+        int fewest = fewest_nodes;
+        for (std::size_t band = 0; band < bands_.size(); ++band) {
+            if (bands_[band].empty()) {
+                chosen_.sampling.nodes[band] = chosen_.sampling.nodes.front();
+                continue;
+            }
+            choose_nodes(band, fewest, band_patience[band] * tolerance_.nodes);
+            fewest = chosen_.sampling.nodes[band]->count;
+        }
+        if (wish_.nodes.front() > 0) take_nodes(wish_.nodes);
+        chosen_.sampling.realisations = 1;
+    }
+
+    bool is_uneven() const {
+        return std::all_of(bands_.front().begin(), bands_.front().end(),
+                           [](const Probes& probes) { return is_irregular(probes.mechanism); });
+    }
+
+    // The first count that the next two agree with.
+    void choose_nodes(std::size_t band, int fewest, double tolerance) {
+        double fringes = 0.0;
+        for (const Probes& probes : bands_[band]) {
+            if (!is_layered(probes.mechanism)) break;
+            const auto system = layer_systems(probes.mechanism, 1, chosen_.sampling.blurred).front();
+            fringes = std::max(fringes, fringe_count(system, job_.light->settings));
+        }
+        int count = fewest;
+        while (count < 2.0 * fringes && count < most_nodes) count = next_count(count);
+        struct Try {
+            std::shared_ptr<const SpectralNodes> nodes;
+            Colours colours;
+        };
+        std::vector<Try> tries;
+        for (;; count = next_count(count)) {
+            const auto these = nodes(count);
+            tries.push_back({these, colours(band, with_nodes(these))});
+            if (tries.size() < 3) continue;
+            const Try& candidate = tries[tries.size() - 3];
+            const double error = std::max(largest_difference(candidate.colours, tries.back().colours),
+                                          largest_difference(tries[tries.size() - 2].colours, tries.back().colours));
+            const bool may_go_on = count < most_nodes_of(band, fringes) && effort() < most_effort;
+            if (error > tolerance && may_go_on) continue;
+            chosen_.sampling.nodes[band] = candidate.nodes;
+            chosen_.error = std::max(chosen_.error, error);
+            return;
+        }
+    }
+
+    // At grazing, fringes that are too sharp for any grid reflect everything but a trace.
+    static int most_nodes_of(std::size_t band, double fringes) {
+        if (band < 2) return most_nodes;
+        constexpr double per_fringe = 64.0;
+        constexpr int at_least = 16384;
+        return std::min(most_nodes, std::max(at_least, static_cast<int>(per_fringe * fringes)));
+    }
+
+    // Counts that the user gives are held against those that would do.
+    void take_nodes(const NodeCounts& counts) {
+        chosen_.error = 0.0;
+        for (std::size_t band = 0; band < bands_.size(); ++band) {
+            const Colours good = colours(band, with_nodes(chosen_.sampling.nodes[band]));
+            chosen_.sampling.nodes[band] = nodes(counts[band]);
+            const Colours taken = colours(band, with_nodes(chosen_.sampling.nodes[band]));
+            chosen_.error = std::max(chosen_.error, largest_difference(taken, good));
+        }
+    }
+
+    // Leaves every effect out for once.
+    void look_at_effects(const EffectSet& named) {
+        const EffectSet given = chosen_.without;
+        const double share = named.is_empty() ? 0.0 : tolerance_.effects / named.size();
+        std::array<Colours, band_least_cos_theta.size()> whole;
+        for (const EffectRow& row : effect_rows()) {
+            if (!named.has(row.effect)) continue;
+            EffectChoice choice{row.effect, !given.has(row.effect), false, 0.0, share};
+            if (choice.is_simulated && share > 0.0) {
+                choice.is_measured = true;
+                choice.contribution =
+                    between_probes *
+                    (row.effect == Effect::tilt ? contribution_of_tilt() : contribution_of(row.effect, whole));
+                choice.is_simulated = choice.contribution > share;
+                if (!choice.is_simulated) {
+                    chosen_.without.insert(row.effect);
+                    chosen_.effects_error += choice.contribution;
+                }
+            }
+            chosen_.effects.push_back(choice);
+        }
+    }
+
+    // Against the surface with all its other effects, whose thicknesses are even: averaging only smooths.
+    double contribution_of(Effect effect, std::array<Colours, band_least_cos_theta.size()>& whole) {
+        double largest = 0.0;
+        for (std::size_t band = 0; band < bands_.size(); ++band) {
+            if (bands_[band].empty()) continue;
+            if (whole[band].empty()) whole[band] = colours(band, chosen_.sampling);
+            Colours other;
+            if (effect == Effect::thickness_spread) {
+                SpectralSampling uneven = chosen_.sampling;
+                uneven.realisations = realisations_of_a_look;
+                other = colours(band, uneven);
+            } else {
+                EffectSet less;
+                less.insert(effect);
+                SpectralSampling sampling = chosen_.sampling;
+                if (effect == Effect::incoherent_layers) sampling.blurred.clear();  // they may be nodes that are gone
+                other = colours(band, sampling, less);
+            }
+            largest = std::max(largest, largest_difference(other, whole[band]));
+        }
+        return largest;
+    }
+
+    void choose_realisations() {
+        SpectralSampling& sampling = chosen_.sampling;
+        const int wish = wish_.realisations;
+        sampling.realisations = wish > 0 ? wish : fewest_realisations;
+        Colours some = colours(0, sampling, chosen_.without);
+        for (;; sampling.realisations *= 2) {
+            SpectralSampling twice = sampling;
+            twice.realisations *= 2;
+            Colours more = colours(0, twice, chosen_.without);
+            chosen_.spread_error = largest_difference(some, more);
+            const bool is_enough = chosen_.spread_error <= tolerance_.spread;
+            const bool may_go_on = sampling.realisations < most_chosen_realisations && effort() < most_effort;
+            if (wish > 0 || is_enough || !may_go_on) return;
+            some = std::move(more);
+        }
+    }
+
+    // The first of a list that the next two agree with.
+    // @param seen  what is seen with a number of points
+    template <typename Points, std::size_t count>
+    Points choose_points(const std::array<Points, count>& list, const std::function<Colours(const Points&)>& seen) {
+        std::vector<Colours> tries;
+        for (std::size_t i = 0;; ++i) {
+            tries.push_back(seen(list[i]));
+            if (i < 2) continue;
+            const double error =
+                std::max(largest_difference(tries[i - 2], tries[i]), largest_difference(tries[i - 1], tries[i]));
+            if (error > tolerance_.quadrature && i + 1 < count && effort() < most_effort) continue;
+            chosen_.quadrature_error += error;
+            return list[i - 2];
+        }
+    }
+
+    void choose_hemisphere() {
+        if (wish_.points.hemisphere > 0) {
+            chosen_.sampling.hemisphere = wish_.points.hemisphere;
+            return;
+        }
+        chosen_.sampling.hemisphere = choose_points<int>(hemisphere_points, [&](const int& points) {
+            SpectralSampling sampling = chosen_.sampling;
+            sampling.hemisphere = points;
+            return colours(0, sampling, chosen_.without);
+        });
+    }
+
+    void choose_sizes() {
+        constexpr int enough_nodes = 48;
+        if (wish_.points.sizes > 0) {
+            chosen_.sampling.sizes = wish_.points.sizes;
+            return;
+        }
+        const auto look = nodes(enough_nodes);
+        chosen_.sampling.sizes = choose_points<int>(size_points, [&](const int& points) {
+            SpectralSampling sampling = with_nodes(look);
+            sampling.sizes = points;
+            return colours(0, sampling);
+        });
+    }
+
+    // Facets' colours along the axes, each with its tilt; made once.
+    struct Facets {
+        double tilt_deg;
+        XyzCurve curve;
+    };
+    const std::vector<Facets>& facets() {
+        if (!facets_.empty()) return facets_;
+        constexpr std::size_t most = 9;
+        const std::vector<Probes>& all = bands_.front();
+        const std::size_t step = (all.size() + most - 1) / most;
+        const Mechanism* last = nullptr;
+        for (std::size_t i = 0; i < all.size(); i += step) {
+            Mechanism mechanism = all[i].mechanism;
+            const double tilt_deg = mechanism.effects.tilt_deg;
+            if (!(tilt_deg > 0.0)) continue;
+            Mechanism plain = mechanism;
+            plain.effects.tilt_deg = 0.0;
+            if (last != nullptr && *last == plain) {
+                facets_.push_back({tilt_deg, facets_.back().curve});
+                continue;
+            }
+            kept_.push_back(std::make_unique<Mechanism>(plain));
+            last = kept_.back().get();
+            EffectSet less = chosen_.without;
+            remove(less, plain, first_nm());
+            PreparedColour prepared = prepare_colour(plain, chosen_.sampling, *job_.light, Integral::exact);
+            const auto colour = [&](const Incidence& incidence) {
+                return adapt(job_.light->adaptation, colour_at(prepared, incidence, chosen_.work));
+            };
+            facets_.push_back({tilt_deg, facet_curve(colour, bends_deg(plain), after_step_)});
+        }
+        return facets_;
+    }
+
+    Colours tilted(const TiltPoints& points) {
+        Colours result;
+        std::uint64_t& count = work_of(chosen_.work.effects, Effect::tilt).points;
+        for (const Facets& facets : this->facets()) {
+            for (const double s : tilt_probe_sqrt_cos) {
+                const auto visible = visible_facets(facets.tilt_deg, points, Incidence::from_sqrt_cos(s));
+                result.push_back(mean_over_facets(visible, facets.curve, count));
+            }
+            if (after_step_) after_step_();
+        }
+        return result;
+    }
+
+    double contribution_of_tilt() {
+        Colours flat;
+        for (const Facets& facets : this->facets()) {
+            for (const double s : tilt_probe_sqrt_cos) flat.push_back(facets.curve.at(s));
+        }
+        return largest_difference(flat, tilted({16, 32}));
+    }
+
+    void choose_tilt() {
+        chosen_.sampling.tilt =
+            wish_.points.tilt.rings > 0
+                ? wish_.points.tilt
+                : choose_points<TiltPoints>(tilt_points, [&](const TiltPoints& points) { return tilted(points); });
+    }
+
+    const Job& job_;
+    const SamplingTolerance tolerance_;
+    const SamplingWish wish_;
+    const std::function<void()>& after_step_;
+    double per_sample_ = 1.0;  // what a reflectance takes, in those of a film
+    std::array<std::vector<Probes>, band_least_cos_theta.size()> bands_;
+    double brightest_ = 0.0;
+    std::vector<Facets> facets_;
+    std::vector<std::unique_ptr<Mechanism>> kept_;
+    ChosenSampling chosen_;
+};
+
+}  // namespace
+
+ChosenSampling choose_sampling(const Job& job, const SamplingTolerance& tolerance, const SamplingWish& wish,
+                               const std::function<void()>& after_step) {
+    const bool may_drop = tolerance.effects > 0.0 && !effects_in(job).is_empty();
+    if (!needs_sampling(job) && !may_drop) {
+        ChosenSampling nothing;
+        nothing.without = job.without;
+        return nothing;
+    }
+    return Chooser(job, tolerance, wish, after_step).choose();
+}
+
+}  // namespace nacre

@@ -1,0 +1,51 @@
+#include <algorithm>
+#include <utility>
+
+#include "nacre/bake/names.h"
+#include "nacre/bake/plan_tables.h"
+
+namespace nacre {
+
+Materials::Materials(const Table& table, const SceneContext& context, Check check)
+    : table_(table), context_(context), check_(std::move(check)) {
+    for (const Table::Entry& entry : table.entries()) {
+        check_name(entry.key, table, entry.key_where);
+        names_.push_back(entry.key);
+    }
+}
+
+const Material& Materials::named(const std::string& name) {
+    const auto found = read_.find(name);
+    if (found != read_.end()) return found->second;
+    const auto& entries = table_.entries();
+    const auto entry = std::find_if(entries.begin(), entries.end(), [&](const auto& e) { return e.key == name; });
+    const Table& table = table_.checked_table(entry->key, entry->value);
+    Material material{entry->key, read_mechanism(table, context_), entry->key_where};
+    table.expect_all_read();
+    check_(table, material.mechanism);
+    return read_.emplace(name, std::move(material)).first->second;
+}
+
+std::vector<Material> Materials::read() const {
+    std::vector<Material> materials;
+    for (const std::string& name : names_) {
+        const auto found = read_.find(name);
+        if (found != read_.end()) materials.push_back(found->second);
+    }
+    return materials;
+}
+
+const Material& material_of(const Table& table, Materials& materials) {
+    const Value* value = table.find("material");
+    const std::vector<std::string>& known = materials.names();
+    if (value == nullptr) {
+        if (known.size() == 1) return materials.named(known.front());
+        table.fail(table.where(),
+                   "material is missing, and the scene has " + std::to_string(known.size()) + "; say which");
+    }
+    const std::string& name = table.checked_text("material", *value);
+    if (std::find(known.begin(), known.end(), name) != known.end()) return materials.named(name);
+    table.fail(value->where, "unknown material " + in_quotes(name) + "; known: " + known_like(name, known));
+}
+
+}  // namespace nacre

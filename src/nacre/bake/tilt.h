@@ -1,0 +1,45 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+#include "nacre/bake/xyz_curve.h"
+#include "nacre/colour/colour_types.h"
+#include "nacre/optics/incidence.h"
+
+namespace nacre {
+
+/// How finely the mean over facets is taken.
+struct TiltPoints {
+    int rings = 0;   ///< angles between facet and surface, per interval; 0: not decided
+    int spokes = 0;  ///< directions around, of a half turn
+    friend bool operator==(const TiltPoints&, const TiltPoints&) = default;
+};
+
+/// A surface of small mirrors (scales, grains, brush marks): the mean of a colour over their normals.
+///
+/// A facet's normal is off the surface's by tau with density exp(-tau^2 / (2 tilt^2)) per solid angle, tau < 90
+/// degrees; what is seen of it goes with the cosine of the angle at which it is seen; facets that are turned away are
+/// not seen. Nothing is said of shadows and of light that goes from facet to facet.
+///
+/// The integral is taken by Gauss-Legendre rules around the surface's normal, over the part of every ring that is
+/// visible; rings begin anew at the tilt at which parts of them turn away, so that no rule meets a bend.
+struct Facet {
+    double cos_theta = 1.0;  ///< at which it is seen
+    double share = 0.0;      ///< of what is seen in all
+};
+/// @param tilt_deg  > 0
+std::vector<Facet> visible_facets(double tilt_deg, TiltPoints points, const Incidence& incidence);
+
+/// The mean of a colour over sqrt(cos(theta)). @param points  what it took is added
+Xyz mean_over_facets(const std::vector<Facet>& facets, const XyzCurve& colour, std::uint64_t& points);
+
+/// A colour over sqrt(cos(theta)), as facets ask for it: to CIEDE2000 `facet_curve_error` at the scale of its
+/// brightest.
+/// @param bends_deg  where it bends
+XyzCurve facet_curve(const std::function<Xyz(const Incidence&)>& colour, const std::vector<double>& bends_deg,
+                     const std::function<void()>& after_step = {});
+inline constexpr double facet_curve_error = 1e-3;
+
+}  // namespace nacre

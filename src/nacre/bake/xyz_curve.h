@@ -1,0 +1,40 @@
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "nacre/colour/colour_types.h"
+
+namespace nacre {
+
+/// A colour that depends on one number in [0, 1], as polynomials: for what takes microseconds to seconds to compute and
+/// is asked thousands of times.
+///
+/// Chebyshev interpolation on intervals that are halved until new points agree.
+class XyzCurve {
+public:
+    using Colour = std::function<Xyz(double)>;
+    using Agrees = std::function<bool(const Xyz&, const Xyz&)>;
+
+    XyzCurve() = default;
+    /// @param borders  ascending, the first 0 and the last 1: where intervals begin, at least wherever the colour bends
+    /// @param agrees   whether an interpolated colour is as good as the true one
+    /// @param after_step  called once per interval that was tried; what it throws ends the search
+    XyzCurve(const Colour& colour, const std::vector<double>& borders, const Agrees& agrees,
+             const std::function<void()>& after_step = {});
+
+    Xyz at(double x) const;
+    bool is_made() const { return !panels_.empty(); }
+
+private:
+    struct Panel {
+        double to;                      // from where the one before ends
+        std::vector<Xyz> coefficients;  // of the Chebyshev polynomials
+    };
+    std::vector<Panel> panels_;
+};
+
+/// Ascending, ends added, and without those that lie closer together than a curve resolves.
+std::vector<double> curve_borders(std::vector<double> borders);
+
+}  // namespace nacre

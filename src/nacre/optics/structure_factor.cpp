@@ -1,0 +1,47 @@
+#include "nacre/optics/structure_factor.h"
+
+#include <array>
+#include <cassert>
+#include <cmath>
+#include <complex>
+
+namespace nacre {
+namespace {
+
+using Complex = std::complex<double>;
+
+// The integrals over [0, 1] of s^k exp(i u s), k = 0, 1, 2.
+std::array<Complex, 3> moments(double u) {
+    if (u < 1.0) {  // powers of i u: below, nothing cancels
+        std::array<Complex, 3> sums{};
+        Complex term = 1.0;  // (i u)^j / j!
+        for (int j = 0; j < 20; ++j) {
+            sums[0] += term / (j + 1.0);
+            sums[1] += term / (j + 2.0);
+            sums[2] += term / (j + 3.0);
+            term *= Complex(0.0, u / (j + 1.0));
+        }
+        return sums;
+    }
+    const Complex wave(std::cos(u), std::sin(u));
+    const Complex by_iu(0.0, -1.0 / u);
+    const Complex zeroth = (wave - 1.0) * by_iu;
+    const Complex first = (wave - zeroth) * by_iu;
+    return {zeroth, first, (wave - 2.0 * first) * by_iu};
+}
+
+}  // namespace
+
+double hard_sphere_structure_factor(double volume_fraction, double q_diameter) {
+    assert(volume_fraction >= 0.0 && volume_fraction <= 0.6 && q_diameter >= 0.0);
+    // Baxter's factor function, a / 2 (s^2 - 1) + b (s - 1) for distances s from 0 to one diameter.
+    const double square = (1.0 - volume_fraction) * (1.0 - volume_fraction);
+    const double a = (1.0 + 2.0 * volume_fraction) / square;
+    const double b = -1.5 * volume_fraction / square;
+    const std::array<Complex, 3> moment = moments(q_diameter);
+    const Complex factor =
+        1.0 - 12.0 * volume_fraction * (0.5 * a * (moment[2] - moment[0]) + b * (moment[1] - moment[0]));
+    return 1.0 / std::norm(factor);
+}
+
+}  // namespace nacre

@@ -10,6 +10,11 @@
 //     nacre_fetch(lut, nacre_sqrt_cos_theta(dot(V, normalize(L + V))))
 // N.V form, for light from the mirror direction (environment map, probe, traced ray), and for a look without lights:
 //     nacre_fetch(lut, nacre_sqrt_cos_theta(dot(N, V)))
+// Gratings; t lies across the grooves, p is the part of L + V in the surface, at the azimuth a from t (0 to 90 degrees):
+//     nacre_fetch(lut, nacre_grating_u(dot(L + V, t)))
+//     nacre_fetch(lut, nacre_grating_u(length(p)), nacre_parameter(a, 0.0, 90.0))
+// Scattering:
+//     nacre_fetch(lut, nacre_cos_scatter(dot(-L, V)))
 
 // Where v = 0 is in the LUT. 0: the file's first row (Direct3D, Unreal, Godot, glTexImage2D of the file's rows);
 // 1: the file's last row (three.js, Babylon.js, Blender). LUTs of one row do not care.
@@ -17,7 +22,7 @@
 #define NACRE_FLIP_V 0
 #endif
 
-// From cos(theta) to x: use the function of the axis that the LUT's header and manifest name.
+// From the quantity to x: use the function of the axis that the LUT's header and manifest name.
 
 // square root of the cosine: most texels where iridescent colour changes fastest
 highp float nacre_sqrt_cos_theta(highp float cos_theta) {
@@ -35,6 +40,18 @@ highp float nacre_cos_theta(highp float cos_theta) {
 highp float nacre_theta_deg(highp float cos_theta) {
     highp float c = clamp(cos_theta, 0.0, 1.0);
     return 1.2732395447 * atan(sqrt((1.0 - c) / (1.0 + c)));
+}
+
+// gratings: dot(L + V, t), t the direction across the grooves; either sign
+highp float nacre_grating_u(highp float u) {
+    highp float c = clamp(u, -2.0, 2.0);
+    return 0.5 * abs(c);
+}
+
+// scattering: the cosine by which light is turned, dot(-L, V)
+highp float nacre_cos_scatter(highp float cos_scatter) {
+    highp float c = clamp(cos_scatter, -1.0, 1.0);
+    return 0.5 + 0.5 * c;
 }
 
 // A numeric axis of the material, with the range that the LUT's header and manifest name.

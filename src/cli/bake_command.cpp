@@ -28,6 +28,7 @@ struct BakeOptions {
     std::string ocio;
     std::string shard;
     double accuracy = 0.0;
+    std::string effects;
     int threads = 0;
     bool best_effort = false;
     bool force = false;
@@ -44,20 +45,6 @@ std::vector<BakeTask> list_tasks(const std::vector<LoadedScene>& scenes, bool wi
             tasks.push_back({&scene, nullptr, &scene.plan.swatches[i], i, nullptr});
     }
     return tasks;
-}
-
-void keep_only(std::vector<BakeTask>& tasks, const std::vector<std::string>& only) {
-    if (only.empty()) return;
-    std::vector<std::string> known;
-    for (const BakeTask& task : tasks) known.push_back(task.name());
-    for (const std::string& name : only) {
-        if (std::find(known.begin(), known.end(), name) != known.end()) continue;
-        const auto near = nearest_names(name, known, 5);
-        throw Error("--only " + name + ": the scenes have no LUT or swatch of that name" +
-                    (near.empty() ? "" : "; did you mean " + comma_separated(near) + "?"));
-    }
-    std::erase_if(tasks,
-                  [&](const BakeTask& task) { return std::find(only.begin(), only.end(), task.name()) == only.end(); });
 }
 
 // "I/N", 1 <= I <= N: every N-th task, beginning with the I-th.
@@ -164,10 +151,9 @@ int bake_tasks(const std::vector<BakeTask>& tasks, const BakeOptions& options, C
 }
 
 int run_bake(const BakeOptions& options, bool with_luts, Console& console) {
-    std::vector<LoadedScene> scenes = load_scenes(options.scenes, options.ocio, true, console);
-    if (with_luts) override_accuracy(scenes, options.accuracy);
+    std::vector<LoadedScene> scenes = load_scenes(options.scenes, options.ocio, true, options.only, console);
+    if (with_luts) override_accuracy(scenes, options.accuracy, options.effects);
     std::vector<BakeTask> tasks = list_tasks(scenes, with_luts);
-    keep_only(tasks, options.only);
     keep_shard(tasks, options.shard);
     if (tasks.empty() && !with_luts && options.only.empty() && options.shard.empty())
         throw Error("the scenes have no [swatch.NAME]; add one");
@@ -204,6 +190,7 @@ Command add_bake_command(CLI::App& app) {
     const auto options = std::make_shared<BakeOptions>();
     declare_common(app, *options);
     add_accuracy_option(app, options->accuracy);
+    add_effects_option(app, options->effects);
     app.add_flag("--best-effort", options->best_effort,
                  "write LUTs whose bound is out of reach too, as good as they get");
     app.add_option("--shard", options->shard, "only every N-th LUT and swatch, from the I-th on; for farms")

@@ -57,6 +57,11 @@ std::string lut_line(const BakeTask& task, const BakedLut& baked) {
         std::snprintf(angle, sizeof angle, text, angle_deg);
         line += angle;
     };
+    for (const EffectChoice& choice : task.settled->lut.effects) {
+        if (!choice.is_simulated && choice.is_measured)
+            line +=
+                "  without " + std::string(row_of(choice.effect).name) + " (" + short_number(choice.contribution) + ")";
+    }
     if (baked.clamped.below_deg) add_angle("  clamped below %.1f deg", *baked.clamped.below_deg);
     if (baked.clamped.above_deg) add_angle("  clamped above %.1f deg", *baked.clamped.above_deg);
     return line;

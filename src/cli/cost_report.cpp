@@ -26,6 +26,7 @@ constexpr std::array family_texts{
     FamilyText{CostFamily::integral, "integral", "from spectrum to XYZ, all else as good as it gets"},
     FamilyText{CostFamily::fixed_size, "fixed_size", "sizes fixed by hand, spectra integrated exactly"},
     FamilyText{CostFamily::mistake, "mistake", "what goes wrong, at 256 texels and half"},
+    FamilyText{CostFamily::effect, "effect", "effects switched off in turn, all else as good as it gets"},
 };
 
 std::string_view family_name(CostFamily family) {

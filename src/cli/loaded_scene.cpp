@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "io/scene_file.h"
+#include "nacre/bake/names.h"
 #include "nacre/bake/output_names.h"
 #include "nacre/error.h"
 
@@ -32,10 +33,23 @@ ColourTransform target_transform(const ColourConfig& config, const ColourSetting
     return config.to_colour_space(colour.space, where);
 }
 
+void check_names(const std::vector<std::string>& only, const std::vector<LoadedScene>& scenes) {
+    std::vector<std::string> known;
+    for (const LoadedScene& scene : scenes) known.insert(known.end(), scene.plan.names.begin(), scene.plan.names.end());
+    for (const std::string& name : only) {
+        if (std::find(known.begin(), known.end(), name) != known.end()) continue;
+        const auto near = nearest_names(name, known, 5);
+        throw Error("--only " + name + ": the scenes have no LUT or swatch of that name" +
+                    (near.empty() ? "" : "; did you mean " + comma_separated(near) + "?"));
+    }
+}
+
 }  // namespace
 
-LoadedScene load_scene(const std::string& path, const std::string& ocio, bool want_swatches, Console& console) {
-    Plan plan = plan_scene(read_scene_file(path), scene_files());
+LoadedScene load_scene(const std::string& path, const std::string& ocio, bool want_swatches,
+                       const std::vector<std::string>& only, Console& console) {
+    Plan plan = plan_scene(read_scene_file(path), scene_files(), {only, false});
+    for (const std::string& warning : plan.warnings) console.warning(warning);
     const ColourConfig config = ColourConfig::open(config_choice(plan, path, ocio));
     const std::string where = plan.colour.space_where.line > 0 ? plan.colour.space_where.text() + " [colour]" : path;
     ColourTransform transform = target_transform(config, plan.colour, where);
@@ -69,13 +83,14 @@ LoadedScene load_scene(const std::string& path, const std::string& ocio, bool wa
 }
 
 std::vector<LoadedScene> load_scenes(const std::vector<std::string>& paths, const std::string& ocio, bool want_swatches,
-                                     Console& console) {
+                                     const std::vector<std::string>& only, Console& console) {
     std::vector<LoadedScene> scenes;
     OutputNames names;
     for (const std::string& path : paths) {
-        scenes.push_back(load_scene(path, ocio, want_swatches, console));
+        scenes.push_back(load_scene(path, ocio, want_swatches, only, console));
         names.claim(scenes.back().plan);
     }
+    check_names(only, scenes);
     return scenes;
 }
 

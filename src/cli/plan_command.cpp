@@ -2,6 +2,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/commands.h"
+#include "cli/effect_table.h"
 #include "cli/rehearsal.h"
 #include "cli/report.h"
 #include "cli/settled_luts.h"
@@ -21,6 +22,7 @@ struct PlanOptions {
     std::vector<std::string> only;
     std::string ocio;
     double accuracy = 0.0;
+    std::string effects;
     int threads = 0;
 };
 
@@ -87,12 +89,9 @@ nlohmann::ordered_json task_json(const SettledTask& task, double seconds) {
     if (lut.wish.has_bound) json["max_de00"] = lut.wish.max_de00;
     json["predicted"] = nullptr;
     if (task.scene->transform.has_way_back()) {
-        json["predicted"] = {{"de00", settled.predicted.total},
-                             {"spectrum", settled.predicted.spectrum},
-                             {"spread", settled.predicted.spread},
-                             {"quadrature", settled.predicted.quadrature},
-                             {"effects", settled.predicted.effects},
-                             {"interpolation", settled.predicted.interpolation},
+        json["predicted"] = {{"de00", settled.predicted.total},      {"spectrum", settled.predicted.spectrum},
+                             {"spread", settled.predicted.spread},   {"quadrature", settled.predicted.quadrature},
+                             {"effects", settled.predicted.effects}, {"interpolation", settled.predicted.interpolation},
                              {"storage", settled.predicted.storage}};
     }
     json["reached"] = settled.is_reached || !lut.wish.has_bound;
@@ -119,32 +118,39 @@ void note_clamps(const LoadedScene& scene, Console& console) {
     }
 }
 
-std::vector<SettledTask> list_luts(const std::vector<LoadedScene>& scenes, const std::vector<std::string>& only) {
+// What measurements do not say, and how it is filled in.
+void note_edges(const LoadedScene& scene, Console& console) {
+    for (const Material& material : scene.plan.materials) {
+        const auto* spectra = std::get_if<MeasuredSpectra>(&material.mechanism);
+        if (spectra == nullptr) continue;
+        const auto range = [](double first, double last) { return number_text(first) + " to " + number_text(last); };
+        console.summary(material.name + ": measured from " +
+                        range(spectra->wavelength_nm.front(), spectra->wavelength_nm.back()) + " nm and " +
+                        range(spectra->angle_deg.front(), spectra->angle_deg.back()) +
+                        " deg; beyond, the nearest measurement is held");
+    }
+}
+
+std::vector<SettledTask> list_luts(const std::vector<LoadedScene>& scenes) {
     std::vector<SettledTask> tasks;
-    std::vector<std::string> known;
     for (const LoadedScene& scene : scenes) {
         for (const PlannedLut& lut : scene.plan.luts) {
-            known.push_back(lut.name);
-            if (!only.empty() && std::find(only.begin(), only.end(), lut.name) == only.end()) continue;
             SettledTask& task = tasks.emplace_back();
             task.scene = &scene;
             task.asked = &lut;
         }
     }
-    for (const std::string& name : only) {
-        if (std::find(known.begin(), known.end(), name) == known.end())
-            throw Error("--only " + name + ": the scenes have no LUT of that name; known: " + known_like(name, known));
-    }
     return tasks;
 }
 
 int run_plan(const PlanOptions& options, Console& console) {
-    std::vector<LoadedScene> scenes = load_scenes(options.scenes, options.ocio, true, console);
-    override_accuracy(scenes, options.accuracy);
-    std::vector<SettledTask> tasks = list_luts(scenes, options.only);
+    std::vector<LoadedScene> scenes = load_scenes(options.scenes, options.ocio, true, options.only, console);
+    override_accuracy(scenes, options.accuracy, options.effects);
+    std::vector<SettledTask> tasks = list_luts(scenes);
     settle_all(tasks, options.threads, console);
     std::vector<std::vector<std::string>> rows{heading};
     nlohmann::ordered_json json = nlohmann::ordered_json::array();
+    std::vector<std::string> effect_text;
     bool any_failed = false;
     prepare_encoder();
     for (const SettledTask& task : tasks) {
@@ -155,12 +161,19 @@ int run_plan(const PlanOptions& options, Console& console) {
             continue;
         }
         const double seconds = rehearse(task);
+        const std::vector<EffectShare> effects = effect_shares(task.lut);
         rows.push_back(table_row(task, seconds));
         json.push_back(task_json(task, seconds));
+        json.back()["effects"] = effects_json(effects);
+        for (std::string& line : effect_lines(task.lut.lut.name, effects)) effect_text.push_back(std::move(line));
+        effect_text.emplace_back();
     }
     for (const std::string& line : table_lines(rows, right_aligned)) console.summary(line);
+    console.summary("");
+    for (const std::string& line : effect_text) console.summary(line);
     for (const LoadedScene& scene : scenes) {
         note_clamps(scene, console);
+        note_edges(scene, console);
         for (const PlannedSwatch& swatch : scene.plan.swatches)
             console.summary(swatch.name + ".png: " + std::string(name_of(swatch_words, swatch.kind)));
     }
@@ -175,7 +188,8 @@ Command add_plan_command(CLI::App& app) {
     const auto options = std::make_shared<PlanOptions>();
     app.add_option("SCENE", options->scenes, "scene files (TOML)")->required()->type_name("");
     add_accuracy_option(app, options->accuracy);
-    app.add_option("--only", options->only, "only the LUT of this name; may be repeated")
+    add_effects_option(app, options->effects);
+    app.add_option("--only", options->only, "only the LUT or swatch of this name; may be repeated")
         ->type_name("NAME")
         ->allow_extra_args(false);
     app.add_option("--ocio", options->ocio, "OpenColorIO config; wins over the scene's, which wins over $OCIO")
@@ -189,6 +203,9 @@ Command add_plan_command(CLI::App& app) {
         "the\n"
         "LUT) and what spectrum, interpolation and storage have in it; the time that one thread of this machine "
         "needs.\n"
+        "Then its effects, the dearest first: simulated, or negligible here, by what leaving them out would change; "
+        "and\n"
+        "their share of the time.\n"
         "Writes nothing. Exit code 4 if a bound that you gave is out of reach.\n\nExample:\n"
         "  nacre plan configs/scenes/morpho.toml --accuracy 0.5\n");
     return [options](Console& console) { return run_plan(*options, console); };

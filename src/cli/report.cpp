@@ -28,13 +28,23 @@ std::string duration_text(double seconds) {
 }
 
 nlohmann::ordered_json work_json(const Work& work) {
+    nlohmann::ordered_json effects = nlohmann::ordered_json::object();
+    for (const EffectRow& row : effect_rows()) {
+        const EffectWork& effect = work.effects[static_cast<std::size_t>(row.effect)];
+        if (effect == EffectWork{}) continue;
+        effects[std::string(row.name)] = {{"spectra", effect.spectra},
+                                          {"layers", effect.layers},
+                                          {"points", effect.points},
+                                          {"polarisations", effect.polarisations}};
+    }
     return {{"exact_integrals", work.exact_integrals},
             {"fast_integrals", work.fast_integrals},
             {"spectra", work.spectra},
             {"samples", work.samples},
             {"texels", work.texels},
             {"probes", work.probes},
-            {"references", work.references}};
+            {"references", work.references},
+            {"effects", effects}};
 }
 
 std::string out_of_reach(const SettledLut& settled) {

@@ -13,9 +13,10 @@
 
 namespace nacre {
 
-void override_accuracy(std::vector<LoadedScene>& scenes, double max_de00) {
+void override_accuracy(std::vector<LoadedScene>& scenes, double max_de00, const std::string& effects) {
     for (LoadedScene& scene : scenes) {
         for (PlannedLut& lut : scene.plan.luts) {
+            if (!effects.empty()) lut.wish.may_drop_effects = effects == "auto";
             if (max_de00 > 0.0) {
                 lut.wish.max_de00 = max_de00;
                 lut.wish.has_bound = true;
@@ -85,6 +86,15 @@ void add_accuracy_option(CLI::App& app, double& value) {
     app.add_option("--accuracy", value, "largest colour error, CIEDE2000; wins over the scene's max_de00 (default 0.1)")
         ->type_name("DE")
         ->check(is_bound);
+}
+
+void add_effects_option(CLI::App& app, std::string& word) {
+    app.add_option(
+           "--effects", word,
+           "auto: leave out effects that change no colour by more than their share of the bound (default); all: "
+           "simulate whatever the scene names")
+        ->type_name("auto|all")
+        ->check(CLI::IsMember({"auto", "all"}));
 }
 
 }  // namespace nacre

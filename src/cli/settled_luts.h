@@ -23,7 +23,8 @@ struct SettledTask {
 /// Replaces the bound of every LUT by --accuracy, if that is given (> 0).
 ///
 /// Throws Error if a bound is binding in a colour space in which errors cannot be known.
-void override_accuracy(std::vector<LoadedScene>& scenes, double max_de00);
+/// @param effects  --effects: "auto" or "all"; empty: what the scene says
+void override_accuracy(std::vector<LoadedScene>& scenes, double max_de00, const std::string& effects);
 
 /// Decides size, format and integral of the tasks' LUTs, on several threads.
 /// @param threads  0: one per core
@@ -35,5 +36,7 @@ std::size_t report_out_of_reach(const std::vector<SettledTask>& tasks, bool best
 
 /// Declares --accuracy; `value` stays 0 if it is not given.
 void add_accuracy_option(CLI::App& app, double& value);
+/// Declares --effects; `word` stays empty if it is not given.
+void add_effects_option(CLI::App& app, std::string& word);
 
 }  // namespace nacre

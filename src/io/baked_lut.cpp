@@ -53,8 +53,21 @@ double rounded_up(double error) {
     return std::strtod(text, nullptr);
 }
 
-LutHeader make_header(const PlannedLut& lut, const ColourSettings& colour, const ColourSource& source,
+// "base simulated, tilt negligible (0.0021 of 0.005)".
+std::string effects_text(const std::vector<EffectChoice>& effects) {
+    std::string text;
+    for (const EffectChoice& choice : effects) {
+        text += (text.empty() ? "" : ", ") + std::string(row_of(choice.effect).name) +
+                (choice.is_simulated ? " simulated" : " negligible");
+        if (!choice.is_simulated && choice.is_measured)
+            text += " (" + number_text(rounded_up(choice.contribution)) + " of " + number_text(choice.share) + ")";
+    }
+    return text;
+}
+
+LutHeader make_header(const SettledLut& settled, const ColourSettings& colour, const ColourSource& source,
                       const ColourTransform& transform, const BakedLut& baked) {
+    const PlannedLut& lut = settled.lut;
     const Job& job = lut.job;
     const LightSettings& light = job.light->settings;
     const std::string scene = scene_toml(lut, colour);
@@ -78,6 +91,7 @@ LutHeader make_header(const PlannedLut& lut, const ColourSettings& colour, const
     add("adapt", std::string(name_of(adaptation_words, light.adaptation)));
     add("rangeNm", std::to_string(light.first_nm) + " " + std::to_string(light.last_nm));
     add("integration", integration_text(job));
+    if (!settled.effects.empty()) add("effects", effects_text(settled.effects));
     add("accuracyAsked", lut.wish.has_bound ? number_text(lut.wish.max_de00) : "none");
     add("accuracyReached", baked.reached ? number_text(*baked.reached) : "unknown");
     add("colourSpace", transform.target());
@@ -139,7 +153,7 @@ BakedLut bake_lut(const SettledLut& settled, const ColourSettings& colour, const
     }
     if (const auto* palette = std::get_if<Palette>(&lut.job.material.mechanism))
         baked.clamped = palette_clamp_bounds(*palette);
-    baked.header = make_header(lut, colour, source, transform, baked);
+    baked.header = make_header(settled, colour, source, transform, baked);
     return baked;
 }
 
@@ -190,6 +204,15 @@ std::string manifest_json(const SettledLut& settled, const BakedLut& baked) {
     if (baked.reached) {
         accuracy["predicted"] = rounded_up(settled.predicted.total);
         accuracy["reached"] = *baked.reached;
+    }
+    for (const EffectChoice& choice : settled.effects) {
+        nlohmann::ordered_json effect{{"effect", row_of(choice.effect).name},
+                                      {"state", choice.is_simulated ? "simulated" : "negligible"}};
+        if (!choice.is_simulated && choice.is_measured) {
+            effect["de00"] = rounded_up(choice.contribution);
+            effect["share"] = choice.share;
+        }
+        json["effects"].push_back(std::move(effect));
     }
     if (baked.clamped.below_deg) json["clamped_below_deg"] = rounded_angle(*baked.clamped.below_deg);
     if (baked.clamped.above_deg) json["clamped_above_deg"] = rounded_angle(*baked.clamped.above_deg);

@@ -79,7 +79,7 @@ TEST_P(LayeredForm, ComesBackFromTheHeaderAsTheSameJob) {
     EXPECT_EQ(again.material.name, job.material.name);
     EXPECT_EQ(again.width, job.width);
     EXPECT_EQ(again.height, job.height);
-    EXPECT_EQ(again.angle_deg, job.angle_deg);
+    EXPECT_EQ(again.fixed.incidence.theta_deg, job.fixed.incidence.theta_deg);
     EXPECT_EQ(again.x.parameter.name, job.x.parameter.name);
     EXPECT_EQ(again.x.from, job.x.from);
     EXPECT_EQ(again.x.to, job.x.to);
@@ -282,7 +282,8 @@ TEST(LayeredHeader, SaysWhereSpectraWereSampled) {
         PlannedLut& lut = plan.luts[0];
         ASSERT_TRUE(lut.wish.nodes.has_value());
         EXPECT_EQ(lut.wish.realisations, 16);
-        lut.job.sampling = choose_sampling(lut.job, 1e-3, 0.1, {*lut.wish.nodes, *lut.wish.realisations}).sampling;
+        lut.job.sampling =
+            choose_sampling(lut.job, {1e-3, 0.1}, {*lut.wish.nodes, *lut.wish.realisations, {}}).sampling;
         const std::string header = scene_toml(lut, plan.colour);
         const Plan again = plan_of(folder, header);
         EXPECT_EQ(again.luts[0].wish.nodes, lut.wish.nodes) << header;

@@ -175,12 +175,14 @@ TEST_P(Snippet, RepeatDoesNoHarmBecauseCoordinatesStayBetweenTexelCentres) {
 TEST_P(Snippet, AxisFunctionsAreThoseOfTheBake) {
     for (const AxisKind& kind : axis_kinds()) {
         ShaderJob axis = job("VEC3(nacre_" + std::string(kind.name) + "(value.x), 0.0, 0.0)");
-        for (const auto& [cos_theta, unused] : probe_coordinates(256, 1)) axis.inputs.push_back({cos_theta, unused});
+        // Over its range, and a little beyond either end.
+        for (const auto& [along, unused] : probe_coordinates(256, 1))
+            axis.inputs.push_back({static_cast<float>(kind.low + (kind.high - kind.low) * along), unused});
         const std::vector<Rgb> coordinates = run_shader(axis);
         double error = 0.0;
         for (std::size_t i = 0; i < coordinates.size(); ++i) {
-            const double cos_theta = std::clamp(static_cast<double>(axis.inputs[i][0]), 0.0, 1.0);
-            error = std::fmax(error, std::fabs(coordinates[i].r - kind.coordinate(cos_theta)));
+            const double argument = std::clamp(static_cast<double>(axis.inputs[i][0]), kind.low, kind.high);
+            error = std::fmax(error, std::fabs(coordinates[i].r - kind.coordinate(argument)));
         }
         RecordProperty("largest_error_" + std::string(kind.name), text_of(error));
         EXPECT_LE(error, axis_tolerance) << kind.name;

@@ -50,7 +50,7 @@ TEST(SceneFile, SceneOfALutIsAFixedPoint) {
     EXPECT_EQ(scene_toml(again.luts[0], again.colour), once);
     EXPECT_EQ(again.light->settings.power, plan.light->settings.power);
     EXPECT_EQ(again.light->settings.first_nm, 400);
-    EXPECT_EQ(again.luts[0].job.angle_deg, 33.3);
+    EXPECT_EQ(again.luts[0].job.fixed.incidence.theta_deg, 33.3);
     EXPECT_EQ(again.luts[0].job.width, 4);
     EXPECT_EQ(again.luts[0].job.y->from, 1.0);
     EXPECT_EQ(std::get<Palette>(again.luts[0].job.material.mechanism),

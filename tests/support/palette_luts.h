@@ -66,7 +66,7 @@ inline Job job_of(const Palette& palette, Axis y, int width, int height) {
 inline Job job_over(const Palette& palette, Axis x, double angle_deg, int width = 64) {
     Job job = job_of(palette, width);
     job.x = std::move(x);
-    job.angle_deg = angle_deg;
+    job.fixed = Incidence::from_degrees(angle_deg);
     return job;
 }
 
@@ -139,6 +139,12 @@ inline double plain_largest_error(const Job& job, const Image<Rgb>& stored, int 
             largest = std::max(largest, plain_error(job, stored, {static_cast<double>(i) / columns, y}, scale));
     }
     return largest;
+}
+
+/// What of a computation a plan predicts: all but what each effect had in it, which is counted only.
+inline Work without_effects(Work work) {
+    work.effects = {};
+    return work;
 }
 
 /// A LUT that leaves size and integral open.

@@ -6,6 +6,7 @@
 #include <memory>
 #include <utility>
 
+#include "nacre/accuracy/effect_cost.h"
 #include "nacre/accuracy/rivals.h"
 #include "nacre/accuracy/scan.h"
 #include "nacre/bake/text.h"
@@ -53,16 +54,19 @@ public:
         lut_.wish = {};
         lut_.wish.max_de00 = bound;
         lut_.job.light = without_wavelengths(lut.job.light);
+        // What others are held against has every effect.
+        lut_.wish.may_drop_effects = false;
         const SettledLut settled = settle(lut_, encoding, after_step);
+        lut_.wish.may_drop_effects = true;
         height_ = settled.lut.job.height;
         lut_.job.sampling = settled.lut.job.sampling;
-        lut_.job.without = settled.lut.job.without;
     }
 
     std::vector<CostCase> all() {
         add_integrals();
         add_fixed_sizes();
         add_mistakes();
+        add_effects();
         add_choices();
         return std::move(cases_);
     }
@@ -210,6 +214,23 @@ private:
         cosine.x.kind =
             &*std::find_if(kinds.begin(), kinds.end(), [](const AxisKind& k) { return k.name == "cos_theta"; });
         add(CostFamily::mistake, "cosine axis", std::move(cosine), PixelFormat::half_float);
+    }
+
+    // As fine as the integrals, so that nothing but the effect is seen.
+    void add_effects() {
+        const EffectSet named = effects_in(lut_.job);
+        if (named.is_empty()) return;
+        add(CostFamily::effect, "every effect", sized(integral_size), PixelFormat::single_float);
+        for (const EffectRow& row : effect_rows()) {
+            if (!named.has(row.effect)) continue;
+            CostCase& cost = add(CostFamily::effect, "without " + std::string(row.name), sized(integral_size),
+                                 PixelFormat::single_float);
+            cost.make = [&encoding = encoding_, job = without_effect(cost.job, row.effect)] {
+                Image<Rgb> image = encoding.to_rgb(bake(job));
+                store(image, [&](double value) { return encoding.stored(value, PixelFormat::single_float); });
+                return image;
+            };
+        }
     }
 
     void add_choices() {

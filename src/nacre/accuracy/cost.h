@@ -15,6 +15,7 @@ enum class CostFamily {
     integral,    ///< how a spectrum becomes XYZ, everything else as good as it gets
     fixed_size,  ///< sizes that one may fix, per axis and format
     mistake,     ///< what goes wrong in practice, at 256 texels
+    effect,      ///< every effect of the material switched off in turn, everything else as good as it gets
     choice,      ///< what nacre takes for a bound
 };
 

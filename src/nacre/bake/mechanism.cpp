@@ -56,6 +56,10 @@ std::vector<Parameter> parameters_of(const Mechanism& mechanism) {
         std::vector<Parameter> operator()(const MeasuredSpectra&) const { return {}; }
     };
     std::vector<Parameter> parameters = std::visit(Visitor{}, mechanism);
+    // Light has to get through the substrate to a base.
+    if (mechanism.effects.base) {
+        std::erase_if(parameters, [](const Parameter& parameter) { return parameter.name == "substrate.k"; });
+    }
     for (Parameter& parameter : effect_parameters(mechanism)) parameters.push_back(std::move(parameter));
     return parameters;
 }

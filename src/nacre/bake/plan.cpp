@@ -40,6 +40,7 @@ public:
             for (const std::string& name : materials.names()) materials.named(name);
         }
         plan_.materials = materials.read();
+        warn_of_black_gratings();
         scene_.expect_all_read();
         OutputNames().claim(plan_);
         return std::move(plan_);
@@ -157,6 +158,16 @@ private:
             if (request_.wants(name) || request_.wants(lut.name)) plan_.luts.push_back(lut);
         }
         std::erase(plan_.names, name);
+    }
+
+    void warn_of_black_gratings() {
+        for (const Material& material : plan_.materials) {
+            const auto* grating = std::get_if<Grating>(&material.mechanism);
+            if (grating == nullptr || !counted_orders(*grating, plan_.light->settings.first_nm).empty()) continue;
+            plan_.warnings.push_back(material.where.text() + " " + material.name +
+                                     ": no order of the grating that counts can be seen: its grooves are too close "
+                                     "together, and everything that shows it is black");
+        }
     }
 
     // A LUT that a swatch shows need not be one that is asked for.

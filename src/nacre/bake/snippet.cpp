@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "nacre/bake/axis_kinds.h"
+#include "nacre/bake/text.h"
 
 namespace nacre {
 namespace {
@@ -65,6 +66,11 @@ constexpr std::string_view head = R"(// SPDX-License-Identifier: Apache-2.0
 //     nacre_fetch({lut}, nacre_{default}(dot(V, normalize(L + V))))
 // N.V form, for light from the mirror direction (environment map, probe, traced ray), and for a look without lights:
 //     nacre_fetch({lut}, nacre_{default}(dot(N, V)))
+// Gratings; t lies across the grooves, p is the part of L + V in the surface, a its angle to t (0 to 90 degrees):
+//     nacre_fetch({lut}, nacre_{grating}(dot(L + V, t)))
+//     nacre_fetch({lut}, nacre_{grating}(length(p)), nacre_parameter(a, 0.0, 90.0))
+// Scattering:
+//     nacre_fetch({lut}, nacre_{scatter}(dot(-L, V)))
 
 // Where v = 0 is in the LUT. 0: the file's first row (Direct3D, Unreal, Godot, glTexImage2D of the file's rows);
 // 1: the file's last row (three.js, Babylon.js, Blender). LUTs of one row do not care.
@@ -72,13 +78,13 @@ constexpr std::string_view head = R"(// SPDX-License-Identifier: Apache-2.0
 #define NACRE_FLIP_V 0
 #endif
 
-// From cos(theta) to x: use the function of the axis that the LUT's header and manifest name.
+// From the quantity to x: use the function of the axis that the LUT's header and manifest name.
 )";
 
 constexpr std::string_view axis_function = R"(
 // {description}
-{float} nacre_{name}({float} cos_theta) {
-    {float} c = clamp(cos_theta, 0.0, 1.0);
+{float} nacre_{name}({float} {argument}) {
+    {float} c = clamp({argument}, {low}, {high});
     return {expression};
 }
 )";
@@ -106,15 +112,31 @@ std::string with(std::string text, std::string_view placeholder, std::string_vie
     return text;
 }
 
+// A whole number as both languages write a float: ES converts no integers.
+std::string literal(double value) {
+    return number_text(value) + ".0";
+}
+
+std::string head_text() {
+    std::string text = with(std::string(head), "{default}", default_axis_kind(Quantity::incidence).name);
+    text = with(std::move(text), "{grating}", default_axis_kind(Quantity::grating_u).name);
+    return with(std::move(text), "{scatter}", default_axis_kind(Quantity::cos_scatter).name);
+}
+
+std::string axis_text(const AxisKind& kind) {
+    std::string text = with(std::string(axis_function), "{description}", kind.description);
+    text = with(std::move(text), "{name}", kind.name);
+    text = with(std::move(text), "{argument}", kind.argument);
+    text = with(std::move(text), "{low}", literal(kind.low));
+    text = with(std::move(text), "{high}", literal(kind.high));
+    return with(std::move(text), "{expression}", kind.shader_expression);
+}
+
 }  // namespace
 
 std::string snippet(ShaderLanguage language) {
-    std::string text = with(std::string(head), "{default}", axis_kinds().front().name);
-    for (const AxisKind& kind : axis_kinds()) {
-        std::string function = with(std::string(axis_function), "{description}", kind.description);
-        function = with(std::move(function), "{name}", kind.name);
-        text += with(std::move(function), "{expression}", kind.shader_expression);
-    }
+    std::string text = head_text();
+    for (const AxisKind& kind : axis_kinds()) text += axis_text(kind);
     text += tail;
     for (const auto& [placeholder, replacement] : language == ShaderLanguage::glsl ? glsl : hlsl) {
         text = with(std::move(text), placeholder, replacement);

@@ -241,7 +241,7 @@ Swatch draw_strip(const PlannedSwatch& planned) {
 
 Swatch draw_sphere(const PlannedSwatch& planned) {
     const Job& job = planned.jobs.front();
-    const Image<Xyz> table = sphere_table(job);
+    const SphereTable table = sphere_table(job);
     const double exposure = sphere_exposure(table);
     const Ball ball{0.5 * sphere_side, 0.5 * sphere_side + 12.0, 0.375 * sphere_side};
     Swatch swatch = blank(sphere_side, sphere_side);

@@ -28,12 +28,64 @@ Xyz operator*(double factor, Xyz colour) {
     return {factor * colour.x, factor * colour.y, factor * colour.z};
 }
 
-// Linear interpolation, as a texture unit does it.
-Xyz colour_at(const Image<Xyz>& table, double cos_theta) {
-    const double position = std::sqrt(std::clamp(cos_theta, 0.0, 1.0)) * (table.width() - 1);
-    const int texel = std::min(static_cast<int>(position), table.width() - 2);
+// Linear interpolation, as a texture unit does it. @param coordinate  on the table's axis
+Xyz colour_at(const SphereTable& table, double coordinate) {
+    const Image<Xyz>& colours = table.colours;
+    const double position = std::clamp(coordinate, 0.0, 1.0) * (colours.width() - 1);
+    const int texel = std::min(static_cast<int>(position), colours.width() - 2);
     const double rest = position - texel;
-    return (1.0 - rest) * table.at(texel, 0) + rest * table.at(texel + 1, 0);
+    return (1.0 - rest) * colours.at(texel, 0) + rest * colours.at(texel + 1, 0);
+}
+
+Xyz colour_at_cos(const SphereTable& table, double cos_theta) {
+    return colour_at(table, std::sqrt(std::clamp(cos_theta, 0.0, 1.0)));
+}
+
+Xyz glossy_shade(const SphereTable& table, const glm::dvec3& normal) {
+    const double wrapped = std::max(glm::dot(normal, towards_light) + Ball::wrap, 0.0) / (1.0 + Ball::wrap);
+    const double lit = Ball::light * wrapped * wrapped;
+    const double sky = Ball::surround * 0.5 * (1.0 + glm::dot(normal, up));
+    return lit * colour_at_cos(table, glm::dot(normal, half_vector)) +
+           sky * colour_at_cos(table, glm::dot(normal, eye));
+}
+
+// ---- the lamp nearby
+
+const glm::dvec3 lamp{-0.9, 1.5, 2.4};
+const glm::dvec3 groove_axis = glm::normalize(glm::dvec3{0.18, 0.52, 0.84});
+
+struct Lit {
+    glm::dvec3 towards;  // the lamp
+    double light;        // what arrives of it, 1 at the ball's centre
+};
+Lit lit_at(const glm::dvec3& point) {
+    const glm::dvec3 way = lamp - point;
+    return {glm::normalize(way), glm::dot(lamp, lamp) / glm::dot(way, way)};
+}
+
+Xyz grooved_shade(const SphereTable& table, const glm::dvec3& normal) {
+    constexpr double arc_width = 0.10;  // how far light strays along the grooves, of which none is quite straight
+    const Lit lit = lit_at(normal);
+    const double body = 0.05 * std::max(glm::dot(normal, lit.towards), 0.0) + 0.012 * (1.0 + glm::dot(normal, up));
+    Xyz seen = xyz_from_chromaticity(d65_chromaticity, body);
+    const glm::dvec3 along = glm::cross(groove_axis, normal);
+    if (glm::dot(along, along) < 1e-9 || glm::dot(normal, lit.towards) <= 0.0) return seen;
+    const glm::dvec3 b = glm::normalize(along);
+    const glm::dvec3 t = glm::cross(b, normal);
+    const glm::dvec3 sum = lit.towards + eye;
+    const double w = glm::dot(b, sum) / arc_width;
+    // Light that only grazes the ball fades, so that arcs do not end at an edge.
+    const double rise = std::min(glm::dot(normal, lit.towards) / 0.25, 1.0);
+    const double arc = lit.light * rise * std::exp(-0.5 * w * w);
+    return seen + arc * colour_at(table, 0.5 * std::abs(glm::dot(t, sum)));
+}
+
+Xyz scattered_shade(const SphereTable& table, const glm::dvec3& normal) {
+    const Lit lit = lit_at(normal);
+    const double in = std::max(glm::dot(normal, lit.towards), 0.0);
+    const double out = std::max(glm::dot(normal, eye), 0.0);
+    const double share = in + out > 0.0 ? 2.0 * in / (in + out) : 0.0;
+    return (lit.light * share) * colour_at(table, 0.5 - 0.5 * glm::dot(lit.towards, eye));
 }
 
 double brightest_component(Xyz colour) {
@@ -51,23 +103,29 @@ Xyz wall(double x, double y, int width, int height) {
 
 }  // namespace
 
-Image<Xyz> sphere_table(const Job& job) {
+SphereTable sphere_table(const Job& job) {
+    const Quantity quantity = quantity_of(job.material.mechanism);
     Job fine = job;
-    fine.x = default_axis();
+    fine.x = default_axis(quantity);
     fine.y.reset();
     fine.width = table_size;
     fine.height = 1;
     fine.integral = Integral::fast;  // 8 bits do not see the difference
     fine.sampling = choose_sampling(fine, {0.1, 1.0, 0.1, 0.0}).sampling;
-    return bake(fine);
+    return {bake(fine), quantity};
 }
 
-Xyz sphere_shade(const Image<Xyz>& table, double x, double y) {
+Xyz sphere_shade(const SphereTable& table, double x, double y) {
     const glm::dvec3 normal{x, y, std::sqrt(std::max(0.0, 1.0 - x * x - y * y))};
-    const double wrapped = std::max(glm::dot(normal, towards_light) + Ball::wrap, 0.0) / (1.0 + Ball::wrap);
-    const double lit = Ball::light * wrapped * wrapped;
-    const double sky = Ball::surround * 0.5 * (1.0 + glm::dot(normal, up));
-    return lit * colour_at(table, glm::dot(normal, half_vector)) + sky * colour_at(table, glm::dot(normal, eye));
+    switch (table.quantity) {
+        case Quantity::grating_u:
+            return grooved_shade(table, normal);
+        case Quantity::cos_scatter:
+            return scattered_shade(table, normal);
+        case Quantity::incidence:
+            break;
+    }
+    return glossy_shade(table, normal);
 }
 
 Xyz sphere_coat(double x, double y) {
@@ -76,7 +134,7 @@ Xyz sphere_coat(double x, double y) {
     return xyz_from_chromaticity(d65_chromaticity, fresnel * Ball::coat * 0.5 * (1.0 + y));
 }
 
-double sphere_exposure(const Image<Xyz>& table) {
+double sphere_exposure(const SphereTable& table) {
     constexpr int steps = 100;
     double brightest = 0.0;
     for (int j = -steps; j <= steps; ++j) {
@@ -90,7 +148,7 @@ double sphere_exposure(const Image<Xyz>& table) {
     return brightest > 0.0 ? sphere_brightest / brightest : 1.0;
 }
 
-Image<Xyz> draw_ball(const Image<Xyz>& table, double exposure, const Ball& ball, int width, int height) {
+Image<Xyz> draw_ball(const SphereTable& table, double exposure, const Ball& ball, int width, int height) {
     Image<Xyz> image(width, height);
     const auto sample = [&](double x, double y) {
         const double across = (x - ball.centre_x) / ball.radius;

@@ -155,7 +155,7 @@ TEST(Measure, CountsWhatThePlanSaysItWill) {
                 Work work;
                 const Image<Xyz> texels = bake(job, {}, &work);
                 work += measure(job, encoding.to_rgb(texels), encoding, suspects).work;
-                EXPECT_EQ(work, bake_work(job, suspect_count));
+                EXPECT_EQ(test::without_effects(work), bake_work(job, suspect_count));
                 EXPECT_EQ(work.texels, texels.size());
             }
         }

@@ -22,8 +22,22 @@ TEST_P(SnippetText, HasOneFunctionPerAxisKindWithItsExpression) {
         SCOPED_TRACE(kind.name);
         EXPECT_TRUE(says("float nacre_" + std::string(kind.name) + "("));
         EXPECT_TRUE(says("return " + std::string(kind.shader_expression) + ";"));
+        EXPECT_TRUE(says("float " + std::string(kind.argument) + ") {"));
     }
     EXPECT_TRUE(says("float nacre_parameter("));
+}
+
+TEST_P(SnippetText, ClampsWhatAShaderHasToTheRangeOfItsQuantity) {
+    EXPECT_TRUE(says("clamp(cos_theta, 0.0, 1.0)"));
+    EXPECT_TRUE(says("clamp(u, -2.0, 2.0)"));
+    EXPECT_TRUE(says("clamp(cos_scatter, -1.0, 1.0)"));
+}
+
+TEST_P(SnippetText, ShowsHowEveryQuantityIsAsked) {
+    EXPECT_TRUE(says("nacre_sqrt_cos_theta(dot(N, V)))\n"));
+    EXPECT_TRUE(says("nacre_grating_u(dot(L + V, t)))\n"));
+    EXPECT_TRUE(says("nacre_grating_u(length(p)), nacre_parameter(a, 0.0, 90.0))\n"));
+    EXPECT_TRUE(says("nacre_cos_scatter(dot(-L, V)))\n"));
 }
 
 TEST_P(SnippetText, MapsTexelCentresAsTheBakeDoes) {
@@ -47,7 +61,7 @@ TEST_P(SnippetText, IsShortAndNarrowAndAscii) {
         EXPECT_LE(line.size(), 120U) << line;
         EXPECT_TRUE(line.empty() || line.back() != ' ') << line;
     }
-    EXPECT_LE(count, 42 + 6 * static_cast<int>(axis_kinds().size()));
+    EXPECT_LE(count, 47 + 6 * static_cast<int>(axis_kinds().size()));
     EXPECT_EQ(text_.back(), '\n');
     // GLSL ES 3.00, section 3.1, allows nothing else outside comments; old preprocessors refuse it there too.
     EXPECT_TRUE(std::all_of(text_.begin(), text_.end(), [](char c) { return c > 0; }));

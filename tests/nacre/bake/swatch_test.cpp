@@ -6,6 +6,7 @@
 #include <cmath>
 #include <map>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -175,14 +176,16 @@ TEST(PaletteSwatch, SaysHowManyPicksItDoesNotShow) {
 
 // cos 60 = 1/2.
 TEST(StripSwatch, TicksSitWhereTheAxisPutsTheirAngles) {
-    const double expected[] = {std::sqrt(0.5), 0.5, 60.0 / 90.0};
-    for (std::size_t kind = 0; kind < axis_kinds().size(); ++kind) {
+    const std::map<std::string_view, double> expected{
+        {"sqrt_cos_theta", std::sqrt(0.5)}, {"cos_theta", 0.5}, {"theta_deg", 60.0 / 90.0}};
+    for (const AxisKind& kind : axis_kinds()) {
+        if (kind.quantity != Quantity::incidence) continue;
         PlannedSwatch plan = planned(SwatchKind::strip, morpho);
-        plan.jobs[0].x.kind = &axis_kinds()[kind];
+        plan.jobs[0].x.kind = &kind;
         const Swatch swatch = draw_swatch(plan);
         const Panel& panel = swatch.panels.at(0);
         const double place = between_labels(swatch, "60°", "60°", 0.0, true);
-        EXPECT_NEAR((place - panel.left - 0.5) / (panel.image.width() - 1), expected[kind], 0.001) << kind;
+        EXPECT_NEAR((place - panel.left - 0.5) / (panel.image.width() - 1), expected.at(kind.name), 0.001) << kind.name;
     }
 }
 
@@ -213,6 +216,7 @@ TEST(StripSwatch, ATwoDimensionalLutHasItsSmallestYAtTheBottom) {
 
 TEST(AxisTicks, LabelsKeepTheirDistanceAndTheEndsHaveOne) {
     for (const AxisKind& kind : axis_kinds()) {
+        if (kind.quantity != Quantity::incidence) continue;
         for (const int length_px : {300, 475, 1100, 2000}) {
             const std::vector<Tick> ticks = axis_ticks({&kind, {}, 0.0, 1.0}, length_px, true);
             ASSERT_EQ(ticks.size(), 10u);
@@ -242,6 +246,21 @@ TEST(AxisTicks, OfAParameterAreRoundNumbersWithinItsRange) {
     EXPECT_NEAR(axis_ticks(axis, 1000, true).front().coordinate, (697.0 - 450.0) / 294.0, 1e-12);
 }
 
+TEST(AxisTicks, OfOtherQuantitiesAreTheirNumbersFromEndToEnd) {
+    // u = |sin + sin| is 2 at most, a cosine goes from -1 to 1; steps are 1, 2 or 5 times a power of ten.
+    const std::map<Quantity, std::vector<std::string>> expected{
+        {Quantity::grating_u, {"0", "0.2", "0.4", "0.6", "0.8", "1", "1.2", "1.4", "1.6", "1.8", "2"}},
+        {Quantity::cos_scatter, {"-1", "-0.8", "-0.6", "-0.4", "-0.2", "0", "0.2", "0.4", "0.6", "0.8", "1"}}};
+    for (const auto& [quantity, labels] : expected) {
+        const std::vector<Tick> ticks = axis_ticks({&default_axis_kind(quantity), {}, 0.0, 1.0}, 1100, true);
+        ASSERT_EQ(ticks.size(), labels.size());
+        for (std::size_t i = 0; i < ticks.size(); ++i) {
+            EXPECT_NEAR(ticks[i].coordinate, static_cast<double>(i) / 10.0, 1e-12);
+            EXPECT_EQ(ticks[i].label, labels[i]);
+        }
+    }
+}
+
 TEST(AxisTicks, ComeToAnEndOnARangeThatIsNarrowerThanItsDigits) {
     const Axis axis = parameter_axis(morpho.mechanism, "peak_nm", 1000.0, std::nextafter(1000.0, 2000.0));
     EXPECT_LE(axis_ticks(axis, 1000, true).size(), 101u);
@@ -249,14 +268,14 @@ TEST(AxisTicks, ComeToAnEndOnARangeThatIsNarrowerThanItsDigits) {
 
 TEST(SphereSwatch, TheMiddleOfTheBallMirrorsTheSkyAtNormalIncidence) {
     // A table that is black but at the normal: only n.v = 1 is seen, because the light's half vector is elsewhere.
-    Image<Xyz> table(1024, 1);
-    table.at(1023, 0) = {1.0, 1.0, 1.0};
+    SphereTable table{Image<Xyz>(1024, 1)};
+    table.colours.at(1023, 0) = {1.0, 1.0, 1.0};
     EXPECT_NEAR(sphere_shade(table, 0.0, 0.0).y, 0.5 * Ball::surround, 1e-12);
     EXPECT_NEAR(sphere_shade(table, 0.0, -0.5).y, 0.0, 1e-12);
 }
 
 TEST(SphereSwatch, AWhiteBallIsBrightestTowardsTheUpperLeft) {
-    const Image<Xyz> table(1024, 1, {1.0, 1.0, 1.0});
+    const SphereTable table{Image<Xyz>(1024, 1, {1.0, 1.0, 1.0})};
     const double upper_left = sphere_shade(table, -0.38, 0.5).y;
     EXPECT_GT(upper_left, sphere_shade(table, 0.0, 0.0).y);
     EXPECT_GT(upper_left, sphere_shade(table, 0.38, 0.5).y);
@@ -266,7 +285,7 @@ TEST(SphereSwatch, AWhiteBallIsBrightestTowardsTheUpperLeft) {
 
 TEST(SphereSwatch, ExposureBringsTheBrightestComponentToItsLevel) {
     for (const Material& material : {morpho, beetle, steep}) {
-        const Image<Xyz> table = sphere_table(planned(SwatchKind::sphere, material).jobs[0]);
+        const SphereTable table = sphere_table(planned(SwatchKind::sphere, material).jobs[0]);
         const Image<Xyz> ball = draw_ball(table, sphere_exposure(table), {150.0, 150.0, 145.0}, 300, 300);
         double brightest = 0.0;
         for (const Xyz& pixel : ball) {
@@ -277,11 +296,11 @@ TEST(SphereSwatch, ExposureBringsTheBrightestComponentToItsLevel) {
         EXPECT_GE(brightest, sphere_brightest - 2e-3) << material.name;
         EXPECT_LE(brightest, 1.0) << material.name;
     }
-    EXPECT_EQ(sphere_exposure(Image<Xyz>(1024, 1)), 1.0);
+    EXPECT_EQ(sphere_exposure({Image<Xyz>(1024, 1)}), 1.0);
 }
 
 TEST(SphereSwatch, TheRimIsBetweenBallAndWall) {
-    const Image<Xyz> table(1024, 1, {1.0, 1.0, 1.0});
+    const SphereTable table{Image<Xyz>(1024, 1, {1.0, 1.0, 1.0})};
     const Image<Xyz> ball = draw_ball(table, 1.0, {50.0, 50.0, 40.25}, 100, 100);
     const double wall = ball.at(8, 50).y, rim = ball.at(9, 50).y, inside = ball.at(10, 50).y;
     EXPECT_GT(rim, wall);

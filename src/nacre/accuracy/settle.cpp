@@ -26,7 +26,7 @@ constexpr double share_of_fast = 0.02;
 
 // And what the nodes of a film's or stack's spectrum may: they err by less with every one more.
 constexpr double share_of_nodes = 0.08;
-// The model itself is looked up on a curve, which may be off by this.
+// The model is looked up on a curve, texels and what they are held against; each may be off by this.
 constexpr double share_of_curve = 0.005;
 // And the mean of an irregular stack, which converges slowly.
 constexpr double share_of_spread = 0.3;
@@ -188,7 +188,7 @@ private:
     double limit() const {
         const double bound = (result_.lut.job.y ? of_bound_in_2d : of_bound_in_1d) * wish_.max_de00;
         const ErrorSplit& split = result_.predicted;
-        const double rest = bound - (curve_ ? share_of_curve * wish_.max_de00 : 0.0) - split.effects -
+        const double rest = bound - (curve_ ? 2.0 * share_of_curve * wish_.max_de00 : 0.0) - split.effects -
                             std::min(split.quadrature, 0.25 * bound);
         if (is_palette() || !adds_spectrum()) return rest;
         // A larger LUT would not help against a mean that is too rough: what it leaves is not taken beyond a half.
@@ -199,9 +199,8 @@ private:
         Job sized = at_size;
         sized.width = candidate.width;
         sized.height = candidate.height;
-        Trial trial(sized, candidate.format, encoding_, model_samples(), scale, scale_, after_step_);
-        if (curve_ && &at_size == &result_.lut.job) trial.use_curve(&*curve_);
-        return trial;
+        const ModelCurve* curve = curve_ && &at_size == &result_.lut.job ? &*curve_ : nullptr;
+        return Trial(sized, candidate.format, encoding_, model_samples(), scale, scale_, after_step_, curve);
     }
 
     void take(const Candidate& candidate) {

@@ -41,6 +41,12 @@ Job model_of(Job job, bool sampled) {
     return job;
 }
 
+Image<Xyz> texels_of(const ModelCurve& curve, int width) {
+    Image<Xyz> texels(width, 1);
+    for (int column = 0; column < width; ++column) texels.at(column, 0) = curve.at(coordinate_of_texel(column, width));
+    return texels;
+}
+
 Image<Rgb> rounded(Image<Rgb> image, PixelFormat format, const Encoding& encoding) {
     for (Rgb& texel : image) {
         for (double Rgb::*component : {&Rgb::r, &Rgb::g, &Rgb::b})
@@ -68,14 +74,15 @@ double difference_at(Xyz one, Xyz other, double scale) {
 }
 
 Trial::Trial(const Job& job, PixelFormat format, const Encoding& encoding, bool sampled_model, double scale,
-             double black_scale, AfterRow after_step)
+             double black_scale, AfterRow after_step, const ModelCurve* curve)
     : job_(job),
       model_job_(model_of(job, sampled_model)),
       encoding_(encoding),
       after_step_(std::move(after_step)),
       scale_(scale),
-      model_(model_job_) {
-    const Image<Xyz> texels = bake(job_, after_step_, &work_);
+      model_(model_job_),
+      curve_(curve) {
+    const Image<Xyz> texels = curve_ != nullptr ? texels_of(*curve_, job_.width) : bake(job_, after_step_, &work_);
     exact_ = encoding.to_rgb(texels);
     if (scale_ == 0.0)
         scale_ = brightness_scale(encoding.keeps_colours ? texels : encoding.to_xyz(exact_), black_scale);

@@ -30,12 +30,12 @@ public:
     /// @param sampled_model   whether the model samples spectra where the light says so; else it is the true integral
     /// @param scale           display_scale(); 0: the LUT's own
     /// @param black_scale     the scale of a LUT that is black all over, though its model may not be
+    /// @param curve           of the same job, 1D: where both the LUT's and the model's colours are taken from; null:
+    /// the
+    ///                        job itself. Has to outlive the trial
     /// @param after_step      called after every row and every batch of points; what it throws ends the trial
     Trial(const Job& job, PixelFormat format, const Encoding& encoding, bool sampled_model, double scale = 0.0,
-          double black_scale = 1.0, AfterRow after_step = {});
-
-    /// Takes the model's colours from a curve from now on. @param curve  of the same job; has to outlive the trial
-    void use_curve(const ModelCurve* curve) { curve_ = curve; }
+          double black_scale = 1.0, AfterRow after_step = {}, const ModelCurve* curve = nullptr);
 
     /// A LUT that came about in some other way.
     /// @param stored  job.width x job.height, as stored

@@ -181,11 +181,24 @@ private:
                 chosen_.sampling.nodes[band] = chosen_.sampling.nodes.front();
                 continue;
             }
-            choose_nodes(band, fewest, band_patience[band] * tolerance_.nodes);
+            choose_nodes(band, fewest, patience(band) * tolerance_.nodes);
             fewest = chosen_.sampling.nodes[band]->count;
         }
         if (wish_.nodes.front() > 0) take_nodes(wish_.nodes);
         chosen_.sampling.realisations = 1;
+    }
+
+    // What of a surface's facets is seen within so small a cosine goes with its square: of facets that lean every way,
+    // those that are grazed hardly count.
+    double patience(std::size_t band) const {
+        constexpr double rad_per_deg = 0.017453292519943295;
+        constexpr double most = 1e3;
+        double least_tilt_deg = 90.0;
+        for (const Probes& probes : bands_[band])
+            least_tilt_deg = std::min(least_tilt_deg, probes.mechanism.effects.tilt_deg);
+        if (band == 0 || !(least_tilt_deg > 0.0)) return band_patience[band];
+        const double spread = std::sin(least_tilt_deg * rad_per_deg) / band_least_cos_theta[band - 1];
+        return band_patience[band] * std::clamp(spread * spread, 1.0, most);
     }
 
     bool is_uneven() const {

@@ -10,7 +10,7 @@
 //     nacre_fetch(lut, nacre_sqrt_cos_theta(dot(V, normalize(L + V))))
 // N.V form, for light from the mirror direction (environment map, probe, traced ray), and for a look without lights:
 //     nacre_fetch(lut, nacre_sqrt_cos_theta(dot(N, V)))
-// Gratings; t lies across the grooves, p is the part of L + V in the surface, at the azimuth a from t (0 to 90 degrees):
+// Gratings; t lies across the grooves, p is the part of L + V in the surface, a its angle to t (0 to 90 degrees):
 //     nacre_fetch(lut, nacre_grating_u(dot(L + V, t)))
 //     nacre_fetch(lut, nacre_grating_u(length(p)), nacre_parameter(a, 0.0, 90.0))
 // Scattering:

@@ -37,7 +37,10 @@ void check_names(const std::vector<std::string>& only, const std::vector<LoadedS
     std::vector<std::string> known;
     for (const LoadedScene& scene : scenes) known.insert(known.end(), scene.plan.names.begin(), scene.plan.names.end());
     for (const std::string& name : only) {
-        if (std::find(known.begin(), known.end(), name) != known.end()) continue;
+        const auto is_known = [&](const std::string& one) {
+            return std::find(known.begin(), known.end(), one) != known.end();
+        };
+        if (is_known(name) || is_known(name + "_s")) continue;  // a name may stand for both polarisations
         const auto near = nearest_names(name, known, 5);
         throw Error("--only " + name + ": the scenes have no LUT or swatch of that name" +
                     (near.empty() ? "" : "; did you mean " + comma_separated(near) + "?"));

@@ -26,7 +26,8 @@ constexpr std::array required_attributes{"version",          "scene",           
 
 // What only says where the transform came from, or which program wrote it.
 bool is_about_origin(const std::string& name) {
-    return name == "version" || name == "colourConfig" || name == "colourConfigHash";
+    // What was measured about effects when they were chosen; the scene in the header has the choice itself.
+    return name == "version" || name == "colourConfig" || name == "colourConfigHash" || name == "effects";
 }
 
 Plan plan_of_header(const StoredLut& stored) {

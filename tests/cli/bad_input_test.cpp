@@ -50,7 +50,7 @@ const std::vector<Mistake> mistakes{
     {"UnknownTopKey", "illuminant = \"D65\"\n" + scene(""),
      ":1:1: unknown key \"illuminant\"; known: include, nacre, accuracy, light, colour, material, lut, swatch"},
     {"UnknownKey", scene("colour = \"red\"\n"),
-     ":4:1 [material.m]: unknown key \"colour\"; known: mechanism, picks, shape"},
+     ":4:1 [material.m]: unknown key \"colour\"; known: mechanism, picks, shape, tilt_deg"},
     {"MisspeltRequiredKey", "[material.m]\npiks = []\n",
      ":2:1 [material.m]: unknown key \"piks\"; did you mean picks?"},
     {"MisspeltHeading", "[materail.m]\n", ":1:2: unknown key \"materail\"; did you mean material?"},
@@ -59,7 +59,7 @@ const std::vector<Mistake> mistakes{
      "bytes"},
     {"MisspeltBound", scene("[accuracy]\nmax_de2000 = 0.1\n"),
      ":5:1 [accuracy]: unknown key \"max_de2000\"; known: max_de00, wavelengths, integral, nodes, realisations, "
-     "size"},
+     "effects, without, base_directions, radii, facets, size"},
     {"BoundOfNothing", scene("[accuracy]\nmax_de00 = 0\n"),
      ":5:12 [accuracy]: max_de00 = 0 is out of range; allowed [1e-05, 100]"},
     {"BoundThatIsNoNumber", scene("[accuracy]\nmax_de00 = \"small\"\n"),
@@ -92,7 +92,8 @@ const std::vector<Mistake> mistakes{
      "at "
      "least 1e-09 degrees apart"},
     {"UnknownMechanism", "[material.m]\nmechanism = \"stuck\"\n",
-     ":2:13 [material.m]: unknown mechanism \"stuck\"; known: palette, film, stack"},
+     ":2:13 [material.m]: unknown mechanism \"stuck\"; known: palette, film, stack, grating, crystal, scatter, "
+     "measured"},
     {"UnknownIlluminant", scene("[light]\nilluminant = \"D66\"\n"),
      ":5:14 [light]: unknown illuminant \"D66\"; known: D65, D50, D55, D75, A, E, FL2, FL7, FL11, or the name of a "
      ".csv file "
@@ -130,7 +131,7 @@ const std::vector<Mistake> mistakes{
     {"AxisOverMissingParameter", scene("[lut.a]\ny = { parameter = \"thickness_nm\", from = 100, to = 900 }\n"),
      ":5:19 [lut.a]: mechanism palette has no parameter \"thickness_nm\"; known: shape, peak_nm, width_nm, height, "
      "picks[0].angle_deg, picks[0].peak_nm, picks[0].width_nm, picks[0].height, picks[1].angle_deg, picks[1].peak_nm, "
-     "picks[1].width_nm, picks[1].height"},
+     "picks[1].width_nm, picks[1].height, tilt_deg"},
     {"AxisOutOfTheParametersRange", scene("[lut.a]\ny = { parameter = \"height\", from = 0, to = 2 }\n"),
      ":5:44 [lut.a]: to = 2 is out of range; allowed [0, 1]"},
     {"AxisWithoutLength", scene("[lut.a]\ny = { parameter = \"height\", from = 1, to = 1 }\n"),

@@ -484,7 +484,7 @@ const std::vector<Mistake> mistakes{
      "s.toml:3:26 [material.f]: unknown key \"gap\"; known: layers, repeat"},
     {"UnknownKeyOfAFilm", std::string(good_film) + "layers = 3\n",
      "s.toml:5:1 [material.f]: unknown key \"layers\"; known: mechanism, incident, index, thickness_nm, substrate, "
-     "thickness_spread_nm"},
+     "thickness_spread_nm, base, tilt_deg, polarisation"},
     {"UnknownKeyOfAnIndex", film_with("{ n = 1.5, m = 2 }"),
      "s.toml:3:20 [material.f]: unknown key \"m\"; known: n, k, material, cauchy, sellmeier, formula, coefficients, "
      "wavelength_nm, k_wavelength_nm, range_nm, outside, name"},
@@ -493,7 +493,7 @@ const std::vector<Mistake> mistakes{
     {"LayersOfLamellae",
      std::string(stack) + "form = \"lamellae\"\nfilm = 1.5\nfilm_nm = 100\ngap_nm = 100\nlayers = []\n",
      "s.toml:7:1 [material.f]: unknown key \"layers\"; known: mechanism, incident, form, film, film_nm, gap, gap_nm, "
-     "films, substrate, thickness_spread_nm"},
+     "films, substrate, thickness_spread_nm, base, tilt_deg, polarisation"},
     {"LamellaeWithoutFilm", std::string(stack) + "form = \"lamellae\"\nfilm_nm = 100\ngap_nm = 100\n",
      "s.toml:1:1 [material.f]: film is missing; give a number, { n, k }, or the name of a material"},
     {"PlaneOfAFilm", std::string(good_film) + "[swatch.s]\ndraw = \"plane\"\n",
@@ -546,10 +546,10 @@ const std::vector<Mistake> mistakes{
      "s.toml:3:44 [material.f]: unknown outside \"keep\"; known: error, hold"},
     {"AxisOverNothing", std::string(good_film) + "[lut.a]\nx = { parameter = \"thickness\", from = 1, to = 2 }\n",
      "s.toml:6:19 [lut.a]: mechanism film has no parameter \"thickness\"; known: thickness_nm, thickness_spread_nm, n, "
-     "k, substrate.n, substrate.k"},
+     "k, substrate.n, substrate.k, tilt_deg"},
     {"AxisOverTheIndexOfAMaterial", film_with("\"bk7\"") + "[lut.a]\nx = { parameter = \"n\", from = 1, to = 2 }\n",
      "s.toml:6:19 [lut.a]: mechanism film has no parameter \"n\"; known: thickness_nm, thickness_spread_nm, "
-     "substrate.n, substrate.k"},
+     "substrate.n, substrate.k, tilt_deg"},
     {"AxisIntoGain", std::string(good_film) + "[lut.a]\nx = { parameter = \"k\", from = -1, to = 2 }\n",
      "s.toml:6:31 [lut.a]: from = -1 is out of range; allowed [0, 1000]"},
 };

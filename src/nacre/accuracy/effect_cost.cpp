@@ -6,7 +6,6 @@ Job without_effect(Job job, Effect effect) {
     job.without.insert(effect);
     if (effect == Effect::thickness_spread) job.sampling.realisations = 1;
     if (effect == Effect::size_spread) job.sampling.sizes = 1;
-    if (effect == Effect::tilt) job.sampling.tilt = {};
     if (effect == Effect::incoherent_layers) job.sampling.blurred.clear();  // they may be layers that are gone
     return job;
 }

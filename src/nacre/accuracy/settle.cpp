@@ -127,7 +127,7 @@ private:
         const SpectralSampling& had = sample.sampling;
         const double bound = wish_.max_de00;
         sample.sampling = choose_sampling(sample, {share_of_nodes * bound, 0.0, share_of_quadrature * bound, 0.0},
-                                          {{}, had.realisations, {had.hemisphere, had.tilt, had.sizes}})
+                                          {{}, had.realisations, {had.hemisphere, had.sizes}})
                               .sampling;
         const Image<Xyz> truth = bake(sample, {}, &result_.work);
         for (std::size_t i = 0; i < truth.size(); ++i) {
@@ -157,7 +157,8 @@ private:
         job().integral = takes_cheap ? cheap.integral : Integral::exact;
         result_.predicted.spectrum = takes_cheap ? error : 0.0;
         // Facets make every colour dear.
-        if (job().sampling.tilt.rings > 0 && !samples()) make_curve();
+        const bool has_facets = !job().without.has(Effect::tilt) && effects_in(job()).has(Effect::tilt);
+        if (has_facets && !samples()) make_curve();
     }
 
     void make_curve() {

@@ -32,11 +32,10 @@ Job model_of(Job job, bool sampled) {
     job.integral = Integral::exact;
     if (sampled || !job.light->settings.wavelengths) return job;
     job.light = without_wavelengths(job.light);
-    if (needs_sampling(job)) {
+    if (samples_spectra(job.material.mechanism)) {
         const SpectralSampling& had = job.sampling;
         job.sampling =
-            choose_sampling(job, {1e-3, 0.0, 1e-3, 0.0}, {{}, had.realisations, {had.hemisphere, had.tilt, had.sizes}})
-                .sampling;
+            choose_sampling(job, {1e-3, 0.0, 1e-3, 0.0}, {{}, had.realisations, {had.hemisphere, had.sizes}}).sampling;
     }
     return job;
 }

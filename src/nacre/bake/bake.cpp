@@ -66,9 +66,8 @@ std::vector<Response> responses_at(const Mechanism& mechanism, const Geometry& g
     const double tilt_deg = mechanism.effects.tilt_deg;
     if (tilt_deg == 0.0) return flat_responses(mechanism, geometry, wavelengths_nm);
     // Facet by facet: a spectrum is asked for once, and wants no curve.
-    constexpr TiltPoints points{8, 16};
     std::vector<Response> mean(wavelengths_nm.size());
-    for (const Facet& facet : visible_facets(tilt_deg, points, geometry.incidence)) {
+    for (const Facet& facet : visible_facets(tilt_deg, geometry.incidence)) {
         const auto responses = flat_responses(mechanism, Incidence::from_cos(facet.cos_theta), wavelengths_nm);
         for (std::size_t i = 0; i < mean.size(); ++i) {
             mean[i].reflectance_s += facet.share * responses[i].reflectance_s;
@@ -108,12 +107,12 @@ Xyz reflectance_xyz(const Mechanism& mechanism, const Geometry& geometry, const 
     job.material.mechanism = mechanism;
     job.light = {std::shared_ptr<const Light>(), &light};  // lent for as long as this function runs
     job.x = default_axis(quantity_of(mechanism));
-    const SpectralSampling sampling = needs_sampling(mechanism) ? default_sampling(job) : SpectralSampling{};
+    const SpectralSampling sampling = samples_spectra(mechanism) ? default_sampling(job) : SpectralSampling{};
     PreparedColour prepared = prepare_colour(mechanism, sampling, light, Integral::exact);
     Work work;
     if (mechanism.effects.tilt_deg == 0.0) return colour_at(prepared, geometry, work);
     Xyz mean;
-    for (const Facet& facet : visible_facets(mechanism.effects.tilt_deg, sampling.tilt, geometry.incidence)) {
+    for (const Facet& facet : visible_facets(mechanism.effects.tilt_deg, geometry.incidence)) {
         const Xyz seen = colour_at(prepared, Incidence::from_cos(facet.cos_theta), work);
         mean = {mean.x + facet.share * seen.x, mean.y + facet.share * seen.y, mean.z + facet.share * seen.z};
     }

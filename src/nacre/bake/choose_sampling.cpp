@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include "nacre/bake/bends.h"
@@ -41,9 +42,6 @@ constexpr std::array<double, band_least_cos_theta.size()> band_patience{1.0, 1.0
 constexpr double between_probes = 1.5;
 
 constexpr std::array hemisphere_points{3, 4, 6, 8, 12, 16, 24, 32, 48, 64};
-constexpr std::array tilt_points{TiltPoints{2, 4},   TiltPoints{3, 6},   TiltPoints{4, 8},   TiltPoints{6, 12},
-                                 TiltPoints{8, 16},  TiltPoints{12, 24}, TiltPoints{16, 32}, TiltPoints{24, 48},
-                                 TiltPoints{32, 64}, TiltPoints{48, 96}};
 constexpr std::array size_points{4, 6, 8, 12, 16, 24, 32, 48, 64, 96, 128, 192, 256, 384, 512};
 
 // The next count that is worth trying: steps of a third or a quarter.
@@ -82,7 +80,6 @@ public:
         if (!is_in(Effect::size_spread)) chosen_.sampling.sizes = 1;
         if (is_in(Effect::base) && is_layered(job_.material.mechanism)) choose_hemisphere();
         if (is_in(Effect::thickness_spread)) choose_realisations();
-        if (is_in(Effect::tilt)) choose_tilt();
         return std::move(chosen_);
     }
 
@@ -361,47 +358,46 @@ private:
     }
 
     // Facets' colours along the axes, each with its tilt; made once.
-    struct Facets {
+    struct TiltProbe {
         double tilt_deg;
-        XyzCurve curve;
+        std::shared_ptr<FacetColours> facets;
     };
-    const std::vector<Facets>& facets() {
-        if (!facets_.empty()) return facets_;
+    const std::vector<TiltProbe>& tilt_probes() {
+        if (!tilt_probes_.empty()) return tilt_probes_;
         constexpr std::size_t most = 9;
         const std::vector<Probes>& all = bands_.front();
         const std::size_t step = (all.size() + most - 1) / most;
-        const Mechanism* last = nullptr;
+        std::optional<Mechanism> last;
         for (std::size_t i = 0; i < all.size(); i += step) {
             Mechanism mechanism = all[i].mechanism;
             const double tilt_deg = mechanism.effects.tilt_deg;
             if (!(tilt_deg > 0.0)) continue;
-            Mechanism plain = mechanism;
-            plain.effects.tilt_deg = 0.0;
-            if (last != nullptr && *last == plain) {
-                facets_.push_back({tilt_deg, facets_.back().curve});
-                continue;
+            mechanism.effects.tilt_deg = 0.0;
+            if (!last || !(*last == mechanism)) {
+                last = mechanism;
+                tilt_probes_.push_back({tilt_deg, std::make_shared<FacetColours>(facets_of(mechanism))});
+            } else {
+                tilt_probes_.push_back({tilt_deg, tilt_probes_.back().facets});
             }
-            kept_.push_back(std::make_unique<Mechanism>(plain));
-            last = kept_.back().get();
-            EffectSet less = chosen_.without;
-            remove(less, plain, first_nm());
-            PreparedColour prepared = prepare_colour(plain, chosen_.sampling, *job_.light, Integral::exact);
-            const auto colour = [&](const Incidence& incidence) {
-                return adapt(job_.light->adaptation, colour_at(prepared, incidence, chosen_.work));
-            };
-            facets_.push_back({tilt_deg, facet_curve(colour, bends_deg(plain), after_step_)});
         }
-        return facets_;
+        return tilt_probes_;
     }
 
-    Colours tilted(const TiltPoints& points) {
+    FacetColours facets_of(Mechanism mechanism) {
+        remove(chosen_.without, mechanism, first_nm());
+        PreparedColour prepared = prepare_colour(mechanism, chosen_.sampling, *job_.light, Integral::exact);
+        const auto colour = [&](const Incidence& incidence) {
+            return adapt(job_.light->adaptation, colour_at(prepared, incidence, chosen_.work));
+        };
+        return FacetColours(facet_curve(colour, bends_deg(mechanism), after_step_));
+    }
+
+    Colours tilted() {
         Colours result;
         std::uint64_t& count = work_of(chosen_.work.effects, Effect::tilt).points;
-        for (const Facets& facets : this->facets()) {
-            for (const double s : tilt_probe_sqrt_cos) {
-                const auto visible = visible_facets(facets.tilt_deg, points, Incidence::from_sqrt_cos(s));
-                result.push_back(mean_over_facets(visible, facets.curve, count));
-            }
+        for (const TiltProbe& probe : tilt_probes()) {
+            for (const double s : tilt_probe_sqrt_cos)
+                result.push_back(probe.facets->mean(probe.tilt_deg, Incidence::from_sqrt_cos(s), count));
             if (after_step_) after_step_();
         }
         return result;
@@ -409,17 +405,10 @@ private:
 
     double contribution_of_tilt() {
         Colours flat;
-        for (const Facets& facets : this->facets()) {
-            for (const double s : tilt_probe_sqrt_cos) flat.push_back(facets.curve.at(s));
+        for (const TiltProbe& probe : tilt_probes()) {
+            for (const double s : tilt_probe_sqrt_cos) flat.push_back(probe.facets->colour().at(s));
         }
-        return largest_difference(flat, tilted({16, 32}));
-    }
-
-    void choose_tilt() {
-        chosen_.sampling.tilt =
-            wish_.points.tilt.rings > 0
-                ? wish_.points.tilt
-                : choose_points<TiltPoints>(tilt_points, [&](const TiltPoints& points) { return tilted(points); });
+        return largest_difference(flat, tilted());
     }
 
     const Job& job_;
@@ -429,8 +418,7 @@ private:
     double per_sample_ = 1.0;  // what a reflectance takes, in those of a film
     std::array<std::vector<Probes>, band_least_cos_theta.size()> bands_;
     double brightest_ = 0.0;
-    std::vector<Facets> facets_;
-    std::vector<std::unique_ptr<Mechanism>> kept_;
+    std::vector<TiltProbe> tilt_probes_;
     ChosenSampling chosen_;
 };
 
@@ -439,7 +427,7 @@ private:
 ChosenSampling choose_sampling(const Job& job, const SamplingTolerance& tolerance, const SamplingWish& wish,
                                const std::function<void()>& after_step) {
     const bool may_drop = tolerance.effects > 0.0 && !effects_in(job).is_empty();
-    if (!needs_sampling(job) && !may_drop) {
+    if (!samples_spectra(job.material.mechanism) && !may_drop) {
         ChosenSampling nothing;
         nothing.without = job.without;
         return nothing;

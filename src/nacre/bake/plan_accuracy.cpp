@@ -48,15 +48,6 @@ void read_effect_wishes(const Table& table, AccuracySettings& accuracy) {
     }
     accuracy.points.hemisphere = table.integer_or("base_directions", allowed_directions, 0);
     accuracy.points.sizes = table.integer_or("radii", allowed_radii, 0);
-    if (const Value* facets = table.find("facets")) {
-        const Value::Array& numbers = table.checked_array("facets", *facets);
-        if (numbers.size() != 2) {
-            table.fail(facets->where, "facets has " + std::to_string(numbers.size()) +
-                                          " numbers; give [rings, spokes] around a facet's mean direction");
-        }
-        accuracy.points.tilt = {table.checked_integer("facets", numbers[0], allowed_directions),
-                                table.checked_integer("facets", numbers[1], allowed_directions)};
-    }
 }
 
 }  // namespace

@@ -3,7 +3,6 @@
 #include <cstddef>
 
 #include "nacre/bake/bends.h"
-#include "nacre/bake/tilt.h"
 
 namespace nacre {
 namespace {
@@ -42,7 +41,7 @@ Geometry geometry_at(const Job& job, double x, double y) {
 Sampler::Sampler(const Job& job)
     : job_(job),
       mechanism_(simulated_at(job, 0.0, 0.0)),
-      sampling_(job.sampling.is_decided() || !needs_sampling(job) ? job.sampling : default_sampling(job)),
+      sampling_(job.sampling.is_decided() || !samples_spectra(mechanism_) ? job.sampling : default_sampling(job)),
       prepared_(prepare_colour(mechanism_, sampling_, *job.light, job.integral)) {}
 
 void Sampler::set_parameters(double x, double y) {
@@ -89,10 +88,9 @@ Xyz Sampler::tilted(const Incidence& incidence) {
             ++effort.spectra;
             return colour_at(prepared_, facet, work_);
         };
-        facets_ = facet_curve(colour, bends_deg(mechanism_));
+        facets_ = FacetColours(facet_curve(colour, bends_deg(mechanism_)));
     }
-    const auto visible = visible_facets(mechanism_.effects.tilt_deg, sampling_.tilt, incidence);
-    return mean_over_facets(visible, facets_, effort.points);
+    return facets_.mean(mechanism_.effects.tilt_deg, incidence, effort.points);
 }
 
 Xyz Sampler::at(double x, double y) {

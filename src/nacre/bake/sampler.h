@@ -4,8 +4,8 @@
 
 #include "nacre/bake/plan.h"
 #include "nacre/bake/prepared_colour.h"
+#include "nacre/bake/tilt.h"
 #include "nacre/bake/work.h"
-#include "nacre/bake/xyz_curve.h"
 #include "nacre/colour/colour_types.h"
 #include "nacre/optics/palette.h"
 
@@ -37,7 +37,7 @@ private:
     Mechanism mechanism_;
     SpectralSampling sampling_;
     PreparedColour prepared_;       // what answers for the mechanism at many angles
-    XyzCurve facets_;               // its colours, if facets ask for them
+    FacetColours facets_;           // its colours, if facets ask for them
     std::optional<double> last_x_;  // of parameters, where they are axes
     std::optional<double> last_y_;
     std::optional<double> last_angle_;  // coordinate on the axis that is the angle

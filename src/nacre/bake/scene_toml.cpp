@@ -13,10 +13,6 @@ std::string sampling_toml(const Job& job) {
     if (effects.is_empty()) return text;
     const auto is_in = [&](Effect effect) { return effects.has(effect) && !job.without.has(effect); };
     if (is_in(Effect::base)) text += "base_directions = " + std::to_string(sampling.hemisphere) + "\n";
-    if (is_in(Effect::tilt) && sampling.tilt.rings > 0) {
-        text +=
-            "facets = [" + std::to_string(sampling.tilt.rings) + ", " + std::to_string(sampling.tilt.spokes) + "]\n";
-    }
     if (is_in(Effect::size_spread)) text += "radii = " + std::to_string(sampling.sizes) + "\n";
     text += "effects = \"all\"\n";
     if (job.without.is_empty()) return text;

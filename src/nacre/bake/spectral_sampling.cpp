@@ -26,15 +26,6 @@ bool samples_spectra(const Mechanism& mechanism) {
     return is_layered(mechanism) || std::holds_alternative<Scatter>(mechanism);
 }
 
-bool needs_sampling(const Mechanism& mechanism) {
-    return samples_spectra(mechanism) || mechanism.effects.tilt_deg > 0.0;
-}
-
-bool needs_sampling(const Job& job) {
-    return samples_spectra(job.material.mechanism) ||
-           (!job.without.has(Effect::tilt) && effects_in(job).has(Effect::tilt));
-}
-
 double fringe_count(const Mechanism& mechanism, const LightSettings& light) {
     return is_layered(mechanism) ? fringe_count(layer_systems(mechanism, 1).front(), light) : 0.0;
 }

@@ -10,7 +10,6 @@
 #include "nacre/bake/effects.h"
 #include "nacre/bake/light.h"
 #include "nacre/bake/mechanism.h"
-#include "nacre/bake/tilt.h"
 #include "nacre/bake/work.h"
 #include "nacre/colour/spectral_nodes.h"
 #include "nacre/optics/incidence.h"
@@ -33,10 +32,9 @@ struct SpectralSampling {
     /// layer system.
     std::vector<std::size_t> blurred;
     int hemisphere = 8;  ///< directions of light below layers with a base, on either side of the critical angle
-    TiltPoints tilt;     ///< of facets
     int sizes = 1;       ///< radii of spheres
 
-    bool is_decided() const { return nodes.front() != nullptr || tilt.rings > 0; }
+    bool is_decided() const { return nodes.front() != nullptr; }
     /// 0 in all bands if not decided.
     NodeCounts node_counts() const;
 };
@@ -44,16 +42,11 @@ struct SpectralSampling {
 /// Numbers of points that a scene insists on; 0: to be chosen.
 struct QuadratureWish {
     int hemisphere = 0;
-    TiltPoints tilt;
     int sizes = 0;
 };
 
-/// Whether a mechanism's spectra are sampled at nodes.
+/// Whether a mechanism's spectra are sampled at nodes: only then is there anything of a SpectralSampling to decide.
 bool samples_spectra(const Mechanism& mechanism);
-/// Whether anything of a SpectralSampling has to be decided for a mechanism: not so for a plain palette.
-bool needs_sampling(const Mechanism& mechanism);
-/// The same for a job: anywhere on its axes, less the effects that it does without.
-bool needs_sampling(const Job& job);
 /// Whether it is a mean over realisations.
 bool is_irregular(const Mechanism& mechanism);
 
@@ -85,7 +78,7 @@ struct ChosenSampling {
     EffectSet without;                  ///< of these, what is left out
     double error = 0.0;                 ///< of the nodes
     double spread_error = 0.0;          ///< of how many realisations uneven layers have
-    double quadrature_error = 0.0;      ///< of base, tilt and radii together
+    double quadrature_error = 0.0;      ///< of base and radii together
     double effects_error = 0.0;         ///< of what is left out, together
     Work work;                          ///< that choosing took
 };
@@ -112,7 +105,7 @@ struct SamplingWish {
 /// First a layer whose fringes are fine beside everything else in the spectrum is taken as incoherent, if that is seen
 /// to change nothing that counts. Nodes start at two per fringe, and grow until more of them change nothing that
 /// counts. Then every effect is left out for once: whatever changes no probe by more than its part of `effects` is left
-/// out for good. Then come realisations, radii, directions below a base, facets. The light's own `wavelengths` are
+/// out for good. Then come realisations, radii and directions below a base. The light's own `wavelengths` are
 /// taken if the scene insists on them; job.without is left out unseen. Thousands of layers may want more than a search
 /// should take: then it ends with what it has, and tells its error.
 /// @param after_step  called every few colours; what it throws ends the choice

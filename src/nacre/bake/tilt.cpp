@@ -24,7 +24,7 @@ double visible_arc(double along, double across) {
 
 }  // namespace
 
-std::vector<Facet> visible_facets(double tilt_deg, TiltPoints points, const Incidence& incidence) {
+std::vector<Facet> visible_facets(double tilt_deg, const Incidence& incidence, TiltPoints points) {
     const double tilt = tilt_deg * rad_per_deg;
     const double steepest = std::min(most_deviations * tilt, 0.5 * std::numbers::pi);
     const double first_hidden = (90.0 - incidence.theta_deg) * rad_per_deg;
@@ -65,6 +65,100 @@ Xyz mean_over_facets(const std::vector<Facet>& facets, const XyzCurve& colour, s
     }
     points += facets.size();
     return sum;
+}
+
+namespace {
+
+// P_0 ... P_degree at t, one after the other.
+template <typename Sink>
+void legendre(double t, int degree, const Sink& sink) {
+    double before = 0.0;
+    double value = 1.0;
+    for (int l = 0; l <= degree; ++l) {
+        sink(l, value);
+        const double next = ((2.0 * l + 1.0) * t * value - l * before) / (l + 1.0);
+        before = value;
+        value = next;
+    }
+}
+
+// Gauss-Legendre over an angle, in pieces that are short beside the ripples of the last polynomial of its cosine.
+template <typename Sink>
+void integrate(const std::vector<double>& borders, int degree, const Sink& sink) {
+    constexpr int points_per_piece = 10;
+    constexpr double ripple_per_piece = 4.0;  // radians
+    const auto rule = unit_gauss_legendre(points_per_piece);
+    for (std::size_t i = 1; i < borders.size(); ++i) {
+        const double from = borders[i - 1];
+        const double length = borders[i] - from;
+        const int pieces = std::max(1, static_cast<int>(std::ceil(length * degree / ripple_per_piece)));
+        for (int piece = 0; piece < pieces; ++piece) {
+            for (const GaussPoint& point : rule)
+                sink(from + length * (piece + point.at) / pieces, length * point.weight / pieces);
+        }
+    }
+}
+
+// Degrees that a blur leaves: of 1e-12 on, or, where facets at right angles are not rare, of what their end rings like.
+int degree_after(double tilt) {
+    constexpr double gone = 7.5;
+    constexpr int of_an_end = 400;
+    const bool has_end = 0.5 * std::numbers::pi < most_deviations * tilt;
+    const int degree = static_cast<int>(std::ceil(gone / tilt));
+    return has_end ? std::max(degree, of_an_end) : degree;
+}
+
+}  // namespace
+
+void FacetColours::expand(int degree) {
+    if (static_cast<int>(series_.size()) > degree) return;
+    series_.assign(static_cast<std::size_t>(degree) + 1, Term{});
+    std::vector<double> angles;
+    for (const double s : colour_.borders()) angles.push_back(std::acos(s * s));
+    std::reverse(angles.begin(), angles.end());
+    integrate(angles, degree, [&](double theta, double weight) {
+        const double t = std::cos(theta);
+        const Xyz seen = colour_.at(std::sqrt(std::max(t, 0.0)));
+        const double visible = t * std::sin(theta) * weight;
+        legendre(t, degree, [&](int l, double value) {
+            Term& term = series_[static_cast<std::size_t>(l)];
+            const double part = (l + 0.5) * value * visible;
+            term[0] += part * seen.x;
+            term[1] += part * seen.y;
+            term[2] += part * seen.z;
+            term[3] += part;
+        });
+    });
+}
+
+void FacetColours::blur(double tilt_deg) {
+    const double tilt = tilt_deg * rad_per_deg;
+    const int degree = degree_after(tilt);
+    expand(degree);
+    std::vector<double> kept(static_cast<std::size_t>(degree) + 1);
+    const double steepest = std::min(most_deviations * tilt, 0.5 * std::numbers::pi);
+    integrate({0.0, 0.25 * steepest, 0.5 * steepest, steepest}, degree, [&](double tau, double weight) {
+        const double density = weight * std::exp(-0.5 * (tau / tilt) * (tau / tilt)) * std::sin(tau);
+        legendre(std::cos(tau), degree,
+                 [&](int l, double value) { kept[static_cast<std::size_t>(l)] += density * value; });
+    });
+    blurred_.assign(series_.begin(), series_.begin() + degree + 1);
+    for (std::size_t l = 0; l < blurred_.size(); ++l) {
+        for (double& part : blurred_[l]) part *= kept[l] / kept[0];
+    }
+    blurred_deg_ = tilt_deg;
+}
+
+Xyz FacetColours::mean(double tilt_deg, const Incidence& incidence, std::uint64_t& points) {
+    if (tilt_deg < least_blurred_deg) return mean_over_facets(visible_facets(tilt_deg, incidence), colour_, points);
+    if (blurred_deg_ != tilt_deg) blur(tilt_deg);
+    Term sum{};
+    legendre(incidence.cos_theta, static_cast<int>(blurred_.size()) - 1, [&](int l, double value) {
+        const Term& term = blurred_[static_cast<std::size_t>(l)];
+        for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += value * term[i];
+    });
+    points += blurred_.size();
+    return {sum[0] / sum[3], sum[1] / sum[3], sum[2] / sum[3]};
 }
 
 XyzCurve facet_curve(const std::function<Xyz(const Incidence&)>& colour, const std::vector<double>& bends_deg,

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <functional>
+#include <utility>
 #include <vector>
 
 #include "nacre/bake/xyz_curve.h"
@@ -12,8 +14,8 @@ namespace nacre {
 
 /// How finely the mean over facets is taken.
 struct TiltPoints {
-    int rings = 0;   ///< angles between facet and surface, per interval; 0: not decided
-    int spokes = 0;  ///< directions around, of a half turn
+    int rings = 8;    ///< angles between facet and surface, per interval
+    int spokes = 16;  ///< directions around, of a half turn
     friend bool operator==(const TiltPoints&, const TiltPoints&) = default;
 };
 
@@ -30,10 +32,40 @@ struct Facet {
     double share = 0.0;      ///< of what is seen in all
 };
 /// @param tilt_deg  > 0
-std::vector<Facet> visible_facets(double tilt_deg, TiltPoints points, const Incidence& incidence);
+std::vector<Facet> visible_facets(double tilt_deg, const Incidence& incidence, TiltPoints points = {});
 
 /// The mean of a colour over sqrt(cos(theta)). @param points  what it took is added
 Xyz mean_over_facets(const std::vector<Facet>& facets, const XyzCurve& colour, std::uint64_t& points);
+
+/// The same mean at many angles and tilts, a hundred times faster.
+///
+/// What is seen times its cosine is a function of direction that only depends on the angle to the eye, 0 behind the
+/// facets; the mean is that function blurred on the sphere. Blurring multiplies the coefficients of its Legendre series
+/// (Funk and Hecke), and fine detail is gone after a few terms per tilt. Below `least_blurred_deg` there would be too
+/// many of them: there facets are summed one by one.
+class FacetColours {
+public:
+    FacetColours() = default;
+    explicit FacetColours(XyzCurve colour) : colour_(std::move(colour)) {}
+    bool is_made() const { return colour_.is_made(); }
+    const XyzCurve& colour() const { return colour_; }
+
+    /// @param tilt_deg  > 0
+    /// @param points    terms and points that it took are added
+    Xyz mean(double tilt_deg, const Incidence& incidence, std::uint64_t& points);
+
+    static constexpr double least_blurred_deg = 0.3;
+
+private:
+    using Term = std::array<double, 4>;  // of X, Y, Z and of the facets themselves
+    void expand(int degree);
+    void blur(double tilt_deg);
+
+    XyzCurve colour_;
+    std::vector<Term> series_;  // per degree, of colour times cosine
+    double blurred_deg_ = 0.0;  // the tilt that `blurred_` is for
+    std::vector<Term> blurred_;
+};
 
 /// A colour over sqrt(cos(theta)), as facets ask for it: to CIEDE2000 `facet_curve_error` at the scale of its
 /// brightest.

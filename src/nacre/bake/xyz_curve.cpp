@@ -80,6 +80,12 @@ Xyz XyzCurve::at(double x) const {
     return value_at(panel->coefficients, 2.0 * (x - from) / (panel->to - from) - 1.0);
 }
 
+std::vector<double> XyzCurve::borders() const {
+    std::vector<double> borders{0.0};
+    for (const Panel& panel : panels_) borders.push_back(panel.to);
+    return borders;
+}
+
 std::vector<double> curve_borders(std::vector<double> borders) {
     constexpr int even = 8;
     for (int i = 0; i <= even; ++i) borders.push_back(static_cast<double>(i) / even);

@@ -24,6 +24,8 @@ public:
              const std::function<void()>& after_step = {});
 
     Xyz at(double x) const;
+    /// Ascending, the first 0 and the last 1: between them it is a polynomial.
+    std::vector<double> borders() const;
     bool is_made() const { return !panels_.empty(); }
 
 private:

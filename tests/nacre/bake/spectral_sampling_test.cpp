@@ -100,7 +100,7 @@ TEST(BandOfAngles, IsGivenByTheCosine) {
 
 TEST(SpectralSampling, APaletteNeedsNone) {
     const Job job = job_of(Palette{{{0, {460, 70, 1}}, {40, {395, 60, 0.7}}}, 0.26});
-    EXPECT_FALSE(needs_sampling(job.material.mechanism));
+    EXPECT_FALSE(samples_spectra(job.material.mechanism));
     const ChosenSampling chosen = choose_sampling(job, tolerance_of(1e-3));
     EXPECT_FALSE(chosen.sampling.is_decided());
     EXPECT_EQ(chosen.work.spectra, 0);

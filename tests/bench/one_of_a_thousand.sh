@@ -1,0 +1,83 @@
+#!/usr/bin/env bash
+# `--only` on one LUT of a thousand costs as much as a scene of that one: instructions under valgrind's callgrind, from
+# main() on. The others are stacks of uneven layers, spheres, crystals, bases, and spectra out of files that do not
+# exist; nobody asks for them. What does grow is the reading of the text, as TOML, which is told apart. Exit 1 if
+# anything else grows by more than 1 %.
+#
+#   tests/bench/one_of_a_thousand.sh NACRE [N]        default: 1000
+set -euo pipefail
+nacre=$(readlink -f -- "${1:?which program?}")
+luts=${2:-1000}
+most_per_mille=10
+for tool in valgrind callgrind_annotate; do
+    command -v "$tool" > /dev/null || { echo "$tool is missing: apt-get install valgrind" >&2; exit 3; }
+done
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+cd "$folder"
+
+one() {
+    cat <<'END'
+nacre = 1
+[material.wanted]
+mechanism = "stack"
+layers = [ { repeat = 5, layers = [ { index = 1.56, thickness_nm = 94 }, { index = 1, thickness_nm = 83 } ] } ]
+base = 0.1
+[lut.wanted]
+material = "wanted"
+size = 256
+END
+}
+# others COUNT: each a material and its LUT.
+others() {
+    awk -v count="$1" 'BEGIN {
+        kind[0] = "mechanism = \"stack\"\nform = \"lamellae\"\nfilm = \"cuticle\"\nfilm_nm = 94\ngap_nm = 83\nfilms = 8\nthickness_spread_nm = 10"
+        kind[1] = "mechanism = \"measured\"\nfile = \"not_there.csv\"\ntilt_deg = 5"
+        kind[2] = "mechanism = \"film\"\nindex = \"not_there.yml\"\nthickness_nm = 300\nbase = { spectrum = \"not_there.csv\" }"
+        kind[3] = "mechanism = \"scatter\"\nmodel = \"mie\"\nparticle = \"tio2\"\nradius_nm = 2e4\nradius_spread = 0.2"
+        kind[4] = "mechanism = \"crystal\"\nsphere = \"not_there.yml\"\ndiameter_nm = 250\nthickness_spread_nm = 3\ntilt_deg = 8"
+        for (i = 1; i <= count; ++i)
+            printf "[material.m%d]\n%s\n[lut.m%d]\nmaterial = \"m%d\"\n", i, kind[i % 5], i, i
+    }'
+}
+one > one.toml
+{ others "$((luts - 1))"; one | sed 1d; } > many.toml  # the last one, so that all have been passed
+
+# counts SCENE: instructions of main, of reading the scene's text, of planning, of settling.
+counts() {
+    valgrind --tool=callgrind --toggle-collect=main --callgrind-out-file="$1.callgrind" "$nacre" bake "$1.toml" \
+        -o "$1" --only wanted --threads 1 --quiet > "$1.log" 2>&1 || { cat "$1.log" >&2; exit 3; }
+    callgrind_annotate --inclusive=yes --threshold=100 "$1.callgrind" | awk '
+        { count = $1; gsub(",", "", count) }
+        function most(part) { if (count + 0 > total[part] + 0) total[part] = count }
+        /:main \[/ { most("main") }
+        /:nacre::read_scene_file\(/ && !/lambda/ { most("text") }
+        /:nacre::plan_scene\(/ && !/lambda/ { most("plan") }
+        /:nacre::settle\(/ && !/lambda/ { most("settle") }
+        END { printf "%d %d %d %d\n", total["main"], total["text"], total["plan"], total["settle"] }'
+}
+
+counts one > one.counts &
+counts many > many.counts
+wait $!
+cmp one/wanted.exr many/wanted.exr || exit 1
+read -r one_main one_text one_plan one_settle < one.counts
+read -r many_main many_text many_plan many_settle < many.counts
+if ((one_text == 0 || many_text == 0)); then
+    echo 'read_scene_file was not seen: is the program stripped?' >&2
+    exit 3
+fi
+row() {
+    awk -v what="$1" -v a="$2" -v b="$3" 'BEGIN { printf "%-24s %14d %14d %9.3f\n", what, a, b, (a > 0 ? b / a : 0) }'
+}
+printf '%-24s %14s %14s %9s\n' instructions 'a scene of one' "one of $luts" ratio
+row 'in all' "$one_main" "$many_main"
+row '  reading its text' "$one_text" "$many_text"
+row '  all but that' $((one_main - one_text)) $((many_main - many_text))
+row '    planning' "$one_plan" "$many_plan"
+row '    settling' "$one_settle" "$many_settle"
+growth=$((many_main - many_text - one_main + one_text))
+if ((growth * 1000 > (one_main - one_text) * most_per_mille)); then
+    echo 'more than 1 %' >&2
+    exit 1
+fi

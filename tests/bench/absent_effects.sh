@@ -116,7 +116,7 @@ counts() {
         /:main \[/ { most("main") }
         /:nacre::settle\(/ && !/lambda/ { most("settle") }
         /:nacre::bake\(/ && !/lambda/ { most("bake") }
-        END { printf "%d %d %d\n", total["main"], total["settle"], total["bake"] }'
+        END { printf "%.0f %.0f %.0f\n", total["main"], total["settle"], total["bake"] }'
 }
 
 counts plain > plain.counts &
@@ -136,7 +136,7 @@ for i in 0 1 2; do
         exit 3
     fi
     awk -v part="${parts[i]}" -v a="${plain[i]}" -v b="${every[i]}" \
-        'BEGIN { printf "%-8s %20d %16d %8.3f %%\n", part, a, b, 100 * (b / a - 1) }'
+        'BEGIN { printf "%-8s %20.0f %16.0f %8.3f %%\n", part, a, b, 100 * (b / a - 1) }'
     if (((every[i] - plain[i]) * 1000 > plain[i] * most_per_mille)); then status=1; fi
 done
 ((status == 0)) || echo 'more than 1 %' >&2

@@ -233,5 +233,69 @@ TEST(EffectsLeftOut, NeverCostMoreThanTheirShareByAModelOfItsOwn) {
     print("by the model's", tally);
 }
 
+// ---- The bound ----
+
+// A shader's fetch: texel centres, linear filter, clamped.
+ModelXyz fetched(const Image<Rgb>& lut, double x) {
+    const double place = x * (lut.width() - 1);
+    const int low = std::min(static_cast<int>(place), lut.width() - 2);
+    const double share = place - low;
+    const Rgb &a = lut.at(low, 0), &b = lut.at(low + 1, 0);
+    return reference::from_rec709(
+        {(1.0 - share) * a.r + share * b.r, (1.0 - share) * a.g + share * b.g, (1.0 - share) * a.b + share * b.b});
+}
+
+struct Judged {
+    std::size_t luts = 0, missed = 0, violations = 0, unsettled = 0;
+    double worst_share = 0.0;
+    std::string worst_name;
+};
+
+// @param points  at which the LUT is looked at: ends, and middles and other parts of texels all along
+void expect_bound_kept(const EffectScene& scene, const SettledLut& settled, int points, Judged& tally) {
+    const Image<Rgb> lut = stored_as(rec709_encoding().to_rgb(bake(settled.lut.job)), settled.lut.format);
+    double brightest = 0.0;
+    for (const Rgb& texel : lut) brightest = std::max(brightest, reference::from_rec709({texel.r, texel.g, texel.b}).y);
+    const double scale = brightest > 0.0 ? 1.0 / brightest : 1.0;
+    const EffectsModel model(scene.mechanism, scene.illuminant, scene.observer_deg,
+                             0.25 * judges_share * scene.max_de00);
+    Largest worst;
+    for (int i = 0; i <= points; ++i) {
+        // Multiples of the golden ratio's part: within texels they fall everywhere.
+        const double part = std::fmod((i + 1) * std::numbers::phi, 1.0);
+        const double x = i == 0 ? 0.0 : i == points ? 1.0 : (i - 1 + part) / (points - 1);
+        const double de00 = reference::ciede2000(scaled_lab(fetched(lut, x), scale), scaled_lab(model.at(x), scale));
+        if (!(de00 <= worst.de00)) worst = {de00, x};
+    }
+    std::ostringstream what;
+    what << scene.name << " (" << mechanism_name(scene.mechanism) << ") " << worst.de00 << " of " << scene.max_de00
+         << " at " << worst.x << ", predicted " << settled.predicted.total << ", " << lut.width() << " texels, without "
+         << names_of(settled.lut.job.without) << ", " << model.unsettled() << " points unsettled";
+    if (std::getenv("NACRE_ACCURACY_VERBOSE") != nullptr) std::cout << what.str() << "\n";
+    ++tally.luts;
+    tally.unsettled += model.unsettled();
+    // What misses its bound says so; what it says still counts.
+    const double allowed = std::max(scene.max_de00, settled.is_reached ? 0.0 : settled.predicted.total);
+    tally.missed += settled.is_reached ? 0 : 1;
+    const bool is_wrong = !(worst.de00 <= (1.0 + judges_share) * allowed);
+    EXPECT_FALSE(is_wrong) << what.str();
+    tally.violations += is_wrong ? 1 : 0;
+    if (worst.de00 / allowed > tally.worst_share)
+        tally.worst_share = worst.de00 / allowed, tally.worst_name = scene.name;
+}
+
+void print(const char* what, const Judged& tally) {
+    std::cout << "[ EFFECTS  ] " << what << ": " << tally.luts << " LUTs, " << tally.missed
+              << " that miss their bound, " << tally.violations << " wrong; measured/bound up to " << tally.worst_share
+              << " (" << tally.worst_name << "); " << tally.unsettled << " points unsettled" << std::endl;
+}
+
+TEST(EffectsAccuracyContract, NoFetchIsFartherFromTheModelThanWasAsked) {
+    Judged tally;
+    for (std::size_t i = 1; i < scenes().size(); i += stride_of_this_run())
+        expect_bound_kept(scenes()[i], settled_scenes()[i], is_sweep("1") ? 64 : 24, tally);
+    print("random scenes", tally);
+}
+
 }  // namespace
 }  // namespace nacre::test

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <string>
 
+#include "nacre/bake/swatch_gamut.h"
 #include "nacre/bake/swatch_layout.h"
 #include "nacre/bake/swatch_sphere.h"
 
@@ -215,11 +216,29 @@ std::string fixed_text(const Job& job) {
     return rounded_text(job.fixed.incidence.theta_deg) + "°";
 }
 
+// A grating's light is power per unit of u: lines are brighter than white.
+void expose(Swatch& swatch, const PlotArea& area) {
+    Image<Xyz>& image = swatch.panels.back().image;
+    double brightest = 0.0;
+    for (const Xyz& colour : image) {
+        const Rgb rgb = linear_rec709(colour);
+        brightest = std::max({brightest, rgb.r, rgb.g, rgb.b});
+    }
+    if (brightest <= 1.0) return;
+    for (Xyz& colour : image) colour = {colour.x / brightest, colour.y / brightest, colour.z / brightest};
+    swatch.overlays.push_back(Text{"exposure x " + rounded_text(1.0 / brightest, 2),
+                                   {area.box().right, area.top - 22.0},
+                                   note_px,
+                                   Align::right,
+                                   dim_grey});
+}
+
 Swatch draw_strip(const PlannedSwatch& planned) {
     const Job& job = planned.jobs.front();
     const PlotArea area = job.y ? lut_area : strip_area;
     Swatch swatch = blank(picture_width, area.top + area.height + below_plot);
     swatch.panels.push_back(bake_panel(job, area));
+    if (quantity_of(job.material.mechanism) == Quantity::grating_u) expose(swatch, area);
     draw_title(swatch, planned.title, job, job.y ? area.left - 10 : area.left, area.left + area.width);
     draw_frame(swatch, area);
     draw_x_axis(swatch, area, job.x, axis_title(job.x));

@@ -1,6 +1,7 @@
 #include "nacre/bake/swatch_sphere.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
@@ -49,39 +50,53 @@ Xyz glossy_shade(const SphereTable& table, const glm::dvec3& normal) {
            sky * colour_at_cos(table, glm::dot(normal, eye));
 }
 
-// ---- the lamp nearby
+// ---- lamps nearby
 
-const glm::dvec3 lamp{-0.9, 1.5, 2.4};
+struct Lamp {
+    glm::dvec3 at;
+    double power;
+};
+const std::array<Lamp, 3> lamps{{{{-0.9, 1.5, 2.4}, 1.0}, {{1.5, 1.0, 2.0}, 0.55}, {{0.3, -1.3, 2.6}, 0.35}}};
 const glm::dvec3 groove_axis = glm::normalize(glm::dvec3{0.18, 0.52, 0.84});
 
 struct Lit {
     glm::dvec3 towards;  // the lamp
-    double light;        // what arrives of it, 1 at the ball's centre
+    double light;        // what arrives of it
 };
-Lit lit_at(const glm::dvec3& point) {
-    const glm::dvec3 way = lamp - point;
-    return {glm::normalize(way), glm::dot(lamp, lamp) / glm::dot(way, way)};
+Lit lit_at(const glm::dvec3& point, const Lamp& lamp) {
+    const glm::dvec3 way = lamp.at - point;
+    return {glm::normalize(way), lamp.power * glm::dot(lamp.at, lamp.at) / glm::dot(way, way)};
+}
+
+// @param b,t  along the grooves and across them
+Xyz arcs(const SphereTable& table, const glm::dvec3& normal, const glm::dvec3& b, const glm::dvec3& t) {
+    constexpr double width = 0.2;  // how far light strays along the grooves, of which none is quite straight
+    Xyz seen;
+    for (const Lamp& lamp : lamps) {
+        const Lit lit = lit_at(normal, lamp);
+        const double facing = glm::dot(normal, lit.towards);
+        if (facing <= 0.0) continue;
+        const glm::dvec3 sum = lit.towards + eye;
+        const double w = glm::dot(b, sum) / width;
+        // Light that only grazes the ball fades, so that arcs do not end at an edge.
+        const double arc = lit.light * std::min(facing / 0.25, 1.0) * std::exp(-0.5 * w * w);
+        seen = seen + arc * colour_at(table, 0.5 * std::abs(glm::dot(t, sum)));
+    }
+    return seen;
 }
 
 Xyz grooved_shade(const SphereTable& table, const glm::dvec3& normal) {
-    constexpr double arc_width = 0.10;  // how far light strays along the grooves, of which none is quite straight
-    const Lit lit = lit_at(normal);
-    const double body = 0.05 * std::max(glm::dot(normal, lit.towards), 0.0) + 0.012 * (1.0 + glm::dot(normal, up));
-    Xyz seen = xyz_from_chromaticity(d65_chromaticity, body);
+    const double facing = std::max(glm::dot(normal, lit_at(normal, lamps.front()).towards), 0.0);
+    const double body = table.brightest * (0.045 * facing * facing + 0.006 * (1.0 + glm::dot(normal, up)));
+    const Xyz seen = xyz_from_chromaticity(d65_chromaticity, body);
     const glm::dvec3 along = glm::cross(groove_axis, normal);
-    if (glm::dot(along, along) < 1e-9 || glm::dot(normal, lit.towards) <= 0.0) return seen;
+    if (glm::dot(along, along) < 1e-9) return seen;
     const glm::dvec3 b = glm::normalize(along);
-    const glm::dvec3 t = glm::cross(b, normal);
-    const glm::dvec3 sum = lit.towards + eye;
-    const double w = glm::dot(b, sum) / arc_width;
-    // Light that only grazes the ball fades, so that arcs do not end at an edge.
-    const double rise = std::min(glm::dot(normal, lit.towards) / 0.25, 1.0);
-    const double arc = lit.light * rise * std::exp(-0.5 * w * w);
-    return seen + arc * colour_at(table, 0.5 * std::abs(glm::dot(t, sum)));
+    return seen + arcs(table, normal, b, glm::cross(b, normal));
 }
 
 Xyz scattered_shade(const SphereTable& table, const glm::dvec3& normal) {
-    const Lit lit = lit_at(normal);
+    const Lit lit = lit_at(normal, lamps.front());
     const double in = std::max(glm::dot(normal, lit.towards), 0.0);
     const double out = std::max(glm::dot(normal, eye), 0.0);
     const double share = in + out > 0.0 ? 2.0 * in / (in + out) : 0.0;
@@ -112,7 +127,9 @@ SphereTable sphere_table(const Job& job) {
     fine.height = 1;
     fine.integral = Integral::fast;  // 8 bits do not see the difference
     fine.sampling = choose_sampling(fine, {0.1, 1.0, 0.1, 0.0}).sampling;
-    return {bake(fine), quantity};
+    SphereTable table{bake(fine), quantity, 0.0};
+    for (const Xyz& colour : table.colours) table.brightest = std::max(table.brightest, colour.y);
+    return table;
 }
 
 Xyz sphere_shade(const SphereTable& table, double x, double y) {
@@ -145,7 +162,9 @@ double sphere_exposure(const SphereTable& table) {
             brightest = std::max(brightest, brightest_component(sphere_shade(table, x, y)));
         }
     }
-    return brightest > 0.0 ? sphere_brightest / brightest : 1.0;
+    // First orders are so much brighter than all others that they may glare.
+    const double glare = table.quantity == Quantity::grating_u ? 2.5 : 1.0;
+    return brightest > 0.0 ? glare * sphere_brightest / brightest : 1.0;
 }
 
 Image<Xyz> draw_ball(const SphereTable& table, double exposure, const Ball& ball, int width, int height) {

@@ -18,13 +18,14 @@ namespace nacre {
 /// edge of the shade. The second is a sky that each point mirrors at its own angle, so that the colours go on to the
 /// rim and into the shade. The third, a faint gloss of the same sky, keeps a ball round whose material is black at
 /// grazing angles; it does not take part in the exposure.
-/// Gratings and scattering layers are lit by one lamp nearby, because what they show depends on two directions:
+/// Gratings and scattering layers are lit by lamps nearby, because what they show depends on two directions:
 ///
 ///     grating     light / distance^2 * g(w) * C(u)  +  body,   u = |t.(l + v)|, w = b.(l + v), g a Gaussian
 ///     scattering  light / distance^2 * n.l / (n.l + n.v) * 2 C(-l.v)      (Lommel and Seeliger)
 ///
 /// with l towards the lamp from each point, b along the grooves, which are circles around an axis that leans towards
-/// the eye, t across them; body is the dull grey of the metal, without which one would see a few arcs in the dark.
+/// the eye, t across them; body is the dull grey of the metal, without which one would see a few arcs in the dark. A
+/// grating has three lamps, for more arcs; scattering one.
 struct Ball {
     double centre_x = 0.0;  ///< pixels
     double centre_y = 0.0;
@@ -40,6 +41,7 @@ struct Ball {
 struct SphereTable {
     Image<Xyz> colours;
     Quantity quantity = Quantity::incidence;
+    double brightest = 1.0;  ///< luminance
 };
 SphereTable sphere_table(const Job& job);
 
@@ -52,7 +54,7 @@ Xyz sphere_shade(const SphereTable& table, double x, double y);
 Xyz sphere_coat(double x, double y);
 
 /// The factor that makes the brightest component of the ball, in linear Rec.709, `sphere_brightest`; 1 for a black
-/// ball.
+/// ball. Of gratings 2.5 times that: their first orders glare.
 double sphere_exposure(const SphereTable& table);
 inline constexpr double sphere_brightest = 0.92;
 

@@ -132,7 +132,8 @@ Command add_cost_command(CLI::App& app) {
         "what a\n"
         "shader can fetch) and how long one thread took to make it: nacre's own choice for bounds from 5 to 0.002; "
         "sums\n"
-        "over every 1 to 20 nm, fits of the observer, three wavelengths; fixed sizes on every axis; common mistakes.\n"
+        "over every 1 to 20 nm, fits of the observer, three wavelengths; fixed sizes on every axis; common mistakes;\n"
+        "every effect of the material switched off in turn.\n"
         "The picture needs gnuplot (Debian package gnuplot-nox).\n\nExample:\n"
         "  nacre cost configs/scenes/morpho.toml -o out\n");
     return [options](Console& console) { return run_cost(*options, console); };

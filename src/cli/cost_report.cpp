@@ -1,5 +1,6 @@
 #include "cli/cost_report.h"
 
+#include <algorithm>
 #include <array>
 #include <nlohmann/json.hpp>
 
@@ -60,6 +61,9 @@ std::string mark_of(const std::vector<CostRow>& rows, std::size_t i) {
 std::vector<std::string> cost_lines(const std::vector<CostRow>& rows) {
     std::vector<std::vector<std::string>> cells;
     for (const FamilyText& text : family_texts) {
+        const bool is_empty =
+            std::none_of(rows.begin(), rows.end(), [&](const CostRow& row) { return row.cost.family == text.family; });
+        if (is_empty) continue;
         if (!cells.empty()) cells.emplace_back();
         cells.push_back({std::string(text.heading), "x", "texels", "format", "size", "dE00", "time", "all in all"});
         for (const CostRow& row : rows) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "cli/report.h"
 #include "cli/stop_signal.h"
@@ -42,10 +43,14 @@ Job with_effect(Job job, Effect effect) {
 }
 
 std::string reason(const EffectChoice& choice) {
-    if (!choice.is_simulated && !choice.is_measured) return "the scene does without";
+    if (choice.is_given) return "the scene does without; that changes colours by " + short_number(choice.contribution);
     if (!choice.is_measured) return "asked for";
     return "changes colours by " + short_number(choice.contribution) +
            (choice.is_simulated ? ", more than " : ", within ") + short_number(choice.share);
+}
+
+std::string state(const EffectChoice& choice, const std::string& negligible) {
+    return choice.is_simulated ? "simulated" : choice.is_given ? "left out" : negligible;
 }
 
 bool is_listed(const std::vector<EffectShare>& effects, Effect effect) {
@@ -79,8 +84,7 @@ std::vector<std::string> effect_lines(const std::string& lut, const std::vector<
     std::vector<std::vector<std::string>> rows{{"effects of " + lut, "", "time", "why"}};
     for (const EffectShare& share : effects) {
         const std::string percent = std::to_string(std::lround(100.0 * share.time_share)) + " %";
-        rows.push_back({std::string(row_of(share.choice.effect).name),
-                        share.choice.is_simulated ? "simulated" : "negligible here",
+        rows.push_back({std::string(row_of(share.choice.effect).name), state(share.choice, "negligible here"),
                         share.choice.is_simulated ? percent : "saves " + percent, reason(share.choice)});
     }
     std::vector<std::string> absent;
@@ -89,7 +93,15 @@ std::vector<std::string> effect_lines(const std::string& lut, const std::vector<
     }
     std::vector<std::string> lines;
     if (!effects.empty()) lines = table_lines(rows, {false, false, true, false});
-    if (!absent.empty()) lines.push_back("not in " + lut + ": " + comma_separated(absent));
+    if (absent.empty()) return lines;
+    constexpr std::size_t width = 100;
+    std::string line = "not in " + lut + ":";
+    for (std::size_t i = 0; i < absent.size(); ++i) {
+        const std::string word = " " + absent[i] + (i + 1 < absent.size() ? "," : "");
+        if (line.size() + word.size() > width) lines.push_back(std::exchange(line, "   "));
+        line += word;
+    }
+    lines.push_back(line);
     return lines;
 }
 
@@ -97,8 +109,7 @@ nlohmann::ordered_json effects_json(const std::vector<EffectShare>& effects) {
     nlohmann::ordered_json json = nlohmann::ordered_json::array();
     for (const EffectShare& share : effects) {
         const EffectChoice& choice = share.choice;
-        nlohmann::ordered_json row{{"effect", row_of(choice.effect).name},
-                                   {"state", choice.is_simulated ? "simulated" : "negligible"}};
+        nlohmann::ordered_json row{{"effect", row_of(choice.effect).name}, {"state", state(choice, "negligible")}};
         row["de00"] = nullptr;
         if (choice.is_measured) row["de00"] = choice.contribution;
         row["share"] = choice.share;

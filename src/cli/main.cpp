@@ -1,5 +1,5 @@
-// nacre: palette picks -> angle-to-RGB lookup textures. This file is the front door: it hands the command line to one
-// of the commands (one file each), and catches what they throw, once.
+// nacre: palette picks and other causes of iridescence -> angle-to-RGB lookup textures. This file is the front door: it
+// hands the command line to one of the commands (one file each), and catches what they throw, once.
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <csignal>
@@ -19,7 +19,8 @@
 namespace {
 
 constexpr const char* description =
-    "nacre turns palette picks into colour-managed angle-to-RGB lookup textures for iridescent surfaces.";
+    "nacre turns palette picks, films, stacks, gratings, crystals, scattering and measurements into colour-managed\n"
+    "angle-to-RGB lookup textures for iridescent surfaces.";
 
 constexpr const char* footer =
     "\nExit codes: 0 all done; 1 some LUTs failed, the others were written; 2 the scene or the command line is wrong,\n"

@@ -36,28 +36,32 @@ std::string bound_text(const SettledLut& settled) {
     return short_number(settled.predicted.total) + " of " + number_text(settled.lut.wish.max_de00);
 }
 
-const std::vector<std::string> heading{
-    "LUT",           "x",       "y",        "texels", "format", "integral", "expected dE00", "spectrum",
-    "interpolation", "storage", "bake time"};
-const std::vector<bool> right_aligned{false, false, false, true, false, false, true, true, true, true, true};
+const std::vector<std::string> heading{"LUT", "axes", "texels", "format", "integral", "expected dE00", "bake time"};
+const std::vector<bool> right_aligned{false, false, true, false, false, true, true};
 
 std::vector<std::string> table_row(const SettledTask& task, double seconds) {
     const SettledLut& settled = task.lut;
     const Job& job = settled.lut.job;
-    const ErrorSplit& error = settled.predicted;
-    const bool is_known = task.scene->transform.has_way_back();
-    const auto known = [&](const std::string& text) { return is_known ? text : std::string("unknown"); };
-    return {settled.lut.name,
-            axis_text(job.x),
-            job.y ? axis_text(*job.y) : "",
-            size_text(job),
-            std::string(name_of(format_words, settled.lut.format)),
-            integration_text(job),
-            known(bound_text(settled)),
-            known(short_number(error.spectrum)),
-            known(short_number(error.interpolation)),
-            known(short_number(error.storage)),
+    return {settled.lut.name,      axis_text(job.x) + (job.y ? ", " + axis_text(*job.y) : ""),
+            size_text(job),        std::string(name_of(format_words, settled.lut.format)),
+            integration_text(job), task.scene->transform.has_way_back() ? bound_text(settled) : "unknown",
             duration_text(seconds)};
+}
+
+// "errors of morpho: interpolation 0.089, storage 0.032", the largest first.
+std::string error_line(const SettledTask& task) {
+    const ErrorSplit& split = task.lut.predicted;
+    std::vector<std::pair<double, std::string_view>> parts{
+        {split.spectrum, "spectrum"},           {split.spread, "spread of thicknesses"},
+        {split.quadrature, "base and radii"},   {split.effects, "effects left out"},
+        {split.interpolation, "interpolation"}, {split.storage, "storage"}};
+    std::stable_sort(parts.begin(), parts.end(),
+                     [](const auto& one, const auto& other) { return one.first > other.first; });
+    std::string text;
+    for (const auto& [error, name] : parts) {
+        if (error > 0.0) text += (text.empty() ? "" : ", ") + std::string(name) + " " + short_number(error);
+    }
+    return "errors of " + task.lut.lut.name + ": " + (text.empty() ? "none" : text);
 }
 
 nlohmann::ordered_json axis_json(const Axis& axis) {
@@ -165,6 +169,7 @@ int run_plan(const PlanOptions& options, Console& console) {
         rows.push_back(table_row(task, seconds));
         json.push_back(task_json(task, seconds));
         json.back()["effects"] = effects_json(effects);
+        if (task.scene->transform.has_way_back()) effect_text.push_back(error_line(task));
         for (std::string& line : effect_lines(task.lut.lut.name, effects)) effect_text.push_back(std::move(line));
         effect_text.emplace_back();
     }
@@ -201,8 +206,7 @@ Command add_plan_command(CLI::App& app) {
     app.footer(
         "\nPer LUT: axes, size, format, how spectra become colour; the error to expect (CIEDE2000, the largest over "
         "the\n"
-        "LUT) and what spectrum, interpolation and storage have in it; the time that one thread of this machine "
-        "needs.\n"
+        "LUT); the time that one thread of this machine needs. Then what has a part in that error, the largest first.\n"
         "Then its effects, the dearest first: simulated, or negligible here, by what leaving them out would change; "
         "and\n"
         "their share of the time.\n"

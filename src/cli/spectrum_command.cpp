@@ -250,9 +250,11 @@ Command add_spectrum_command(CLI::App& app) {
         ->excludes("--angle");
     app.add_flag("--xyz", options->xyz, "X, Y, Z under the scene's light instead, before and after adaptation to D65");
     app.footer(
-        "\nThe exact model, no LUT in between. A palette is opaque: its T is 0, and s and p are alike. Films and "
-        "stacks\n"
-        "reflect and let through; what is missing to 1 is absorbed. Columns R_s, R_p, R are reflectances of the two\n"
+        "\nThe exact model, no LUT in between. Films, stacks and crystals reflect and let through; what is missing to "
+        "1 "
+        "is\n"
+        "absorbed. All else is opaque (T = 0), and but for scattering s and p are alike. Columns R_s, R_p, R are "
+        "reflectances of the two\n"
         "polarisations and of unpolarised light. Of a grating, lit along its normal, R is power per unit of\n"
         "sin(angle); of scattering, 1 is a layer that sends all light evenly into all directions.\n\n"
         "Examples:\n"

@@ -58,9 +58,13 @@ std::string effects_text(const std::vector<EffectChoice>& effects) {
     std::string text;
     for (const EffectChoice& choice : effects) {
         text += (text.empty() ? "" : ", ") + std::string(row_of(choice.effect).name) +
-                (choice.is_simulated ? " simulated" : " negligible");
-        if (!choice.is_simulated && choice.is_measured)
-            text += " (" + number_text(rounded_up(choice.contribution)) + " of " + number_text(choice.share) + ")";
+                (choice.is_simulated ? " simulated"
+                 : choice.is_given   ? " left out"
+                                     : " negligible");
+        if (choice.is_simulated) continue;
+        text += " (" + number_text(rounded_up(choice.contribution));
+        if (!choice.is_given) text += " of " + number_text(choice.share);
+        text += ")";
     }
     return text;
 }
@@ -207,11 +211,11 @@ std::string manifest_json(const SettledLut& settled, const BakedLut& baked) {
     }
     for (const EffectChoice& choice : settled.effects) {
         nlohmann::ordered_json effect{{"effect", row_of(choice.effect).name},
-                                      {"state", choice.is_simulated ? "simulated" : "negligible"}};
-        if (!choice.is_simulated && choice.is_measured) {
-            effect["de00"] = rounded_up(choice.contribution);
-            effect["share"] = choice.share;
-        }
+                                      {"state", choice.is_simulated ? "simulated"
+                                                : choice.is_given   ? "left out"
+                                                                    : "negligible"}};
+        if (!choice.is_simulated) effect["de00"] = rounded_up(choice.contribution);
+        if (!choice.is_simulated && !choice.is_given) effect["share"] = choice.share;
         json["effects"].push_back(std::move(effect));
     }
     if (baked.clamped.below_deg) json["clamped_below_deg"] = rounded_angle(*baked.clamped.below_deg);

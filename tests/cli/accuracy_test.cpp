@@ -168,11 +168,15 @@ TEST(Plan, IsATableOfWhatWillBeBakedAndWritesNothing) {
     const ProgramResult result = run(folder, {"plan", "s.toml", "--accuracy", "0.5"});
     ASSERT_EQ(result.exit_code, 0) << result.err;
     std::istringstream lines(result.out);
-    std::string heading, one, two, note;
+    std::string heading, one, two, line, note;
     std::getline(lines, heading);
     std::getline(lines, one);
     std::getline(lines, two);
-    std::getline(lines, note);
+    std::vector<std::string> absent;
+    while (std::getline(lines, line)) {
+        if (line.starts_with("not in ")) absent.push_back(line);
+        note = line;
+    }
     for (const char* word : {"LUT", "x", "y", "texels", "format", "integral", "expected dE00", "spectrum",
                              "interpolation", "storage", "bake time"}) {
         EXPECT_NE(heading.find(word), std::string::npos) << word;
@@ -180,6 +184,10 @@ TEST(Plan, IsATableOfWhatWillBeBakedAndWritesNothing) {
     EXPECT_EQ(one.find("one  sqrt_cos_theta"), 0U) << one;
     EXPECT_NE(one.find("128 x 1  half    fast        0.40 of 0.5"), std::string::npos) << one;
     EXPECT_NE(two.find("height 0 to 1"), std::string::npos) << two;
+    const std::string every =
+        ": dispersion, absorption, polarisation, incoherent_layers, thickness_spread, base, tilt, higher_orders, "
+        "size_spread";
+    EXPECT_EQ(absent, (std::vector<std::string>{"not in one" + every, "not in two" + every}));
     EXPECT_EQ(note,
               "morpho: clamped above 85 deg, where its picks lead to a reflectance outside 0 to 1, or a width below 0");
     EXPECT_EQ(folder.names(), std::vector<std::string>{"s.toml"});
@@ -229,7 +237,7 @@ TEST(Plan, AnUnknownLutIsAnErrorThatNamesTheKnown) {
     folder.file("s.toml", morpho);
     const ProgramResult result = run(folder, {"plan", "s.toml", "--only", "morfo"});
     EXPECT_EQ(result.exit_code, 2);
-    EXPECT_EQ(result.err, "nacre: --only morfo: the scenes have no LUT of that name; known: morpho\n");
+    EXPECT_EQ(result.err, "nacre: --only morfo: the scenes have no LUT or swatch of that name; did you mean morpho?\n");
 }
 
 TEST(Cost, SweepsBoundsMethodsAndSizesAsTableCsvAndPicture) {

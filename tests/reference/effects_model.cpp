@@ -313,37 +313,42 @@ std::vector<Complex> plane_indices(const Crystal& crystal, int slices, double nm
     return indices;
 }
 
-constexpr int model_slices = 40;
+// Slices of a period err by the square of their thickness: what twice as many change tells how far off the profile is
+// (Richardson).
+constexpr int coarse_slices = 24;
+constexpr int fine_slices = 48;
 
 // What of layers depends on the wavelength alone, kept for all angles.
 struct MediaAt {
     double nm = 0.0;
     Complex incident, substrate, metal;
-    std::vector<Complex> index;  // of every layer, or every slice of a period
+    std::vector<Complex> index;   // of every layer, or every slice of a period
+    std::vector<Complex> coarse;  // of a crystal: the same of fewer slices
 };
 
 MediaAt media_at(const Layers& layers, double nm) {
-    MediaAt media{nm, index_at(layers.incident, nm), index_at(layers.substrate, nm), {}, {}};
+    MediaAt media{nm, index_at(layers.incident, nm), index_at(layers.substrate, nm), {}, {}, {}};
     if (layers.metal != nullptr) media.metal = index_at(layers.metal->metal, nm);
     if (layers.crystal != nullptr) {
-        media.index = plane_indices(*layers.crystal, model_slices, nm);
+        media.index = plane_indices(*layers.crystal, fine_slices, nm);
+        media.coarse = plane_indices(*layers.crystal, coarse_slices, nm);
         return media;
     }
     for (const PlainLayer& layer : layers.layers) media.index.push_back(index_at(layer.index, nm));
     return media;
 }
 
-Port crystal_port(const Layers& layers, const MediaAt& media, const Seen& from, const Seen& to, double sine,
-                  bool is_p) {
+Port crystal_port(const Layers& layers, double nm, const std::vector<Complex>& indices, const Seen& from,
+                  const Seen& to, double sine, bool is_p) {
     const Crystal& crystal = *layers.crystal;
     const double spacing = crystal.spacing_nm > 0.0 ? crystal.spacing_nm : std::sqrt(2.0 / 3.0) * crystal.diameter_nm;
-    const double slice_nm = layers.stretch * spacing / static_cast<double>(media.index.size());
+    const double slice_nm = layers.stretch * spacing / static_cast<double>(indices.size());
     std::vector<Seen> slices;
-    for (const Complex& n : media.index) slices.push_back(seen_in(n, sine, is_p));
-    Port last = passage(slices[0].q, slice_nm, media.nm);
+    for (const Complex& n : indices) slices.push_back(seen_in(n, sine, is_p));
+    Port last = passage(slices[0].q, slice_nm, nm);
     for (std::size_t i = 1; i < slices.size(); ++i) {
         last = joined(last, face(slices[i - 1].admittance, slices[i].admittance));
-        last = joined(last, passage(slices[i].q, slice_nm, media.nm));
+        last = joined(last, passage(slices[i].q, slice_nm, nm));
     }
     Port power = joined(last, face(slices.back().admittance, slices.front().admittance));  // a period, to the next
     Port all = face(from.admittance, slices.front().admittance);
@@ -378,8 +383,15 @@ ModelPowers powers_at(const Layers& layers, const MediaAt& media, double sine, b
     const Seen substrate = seen_in(media.substrate, sine, is_p);
     const Seen metal = layers.metal != nullptr ? seen_in(media.metal, sine, is_p) : Seen{};
     if (layers.crystal != nullptr) {
-        const Port port = crystal_port(layers, media, from, substrate, sine, is_p);
-        const ModelPowers planes = powers_of(port, from, substrate);
+        const auto planes_of = [&](const std::vector<Complex>& indices) {
+            return powers_of(crystal_port(layers, media.nm, indices, from, substrate, sine, is_p), from, substrate);
+        };
+        const ModelPowers fine = planes_of(media.index), coarse = planes_of(media.coarse);
+        const auto limit = [](double of_fine, double of_coarse) { return of_fine + (of_fine - of_coarse) / 3.0; };
+        const ModelPowers planes{limit(fine.reflectance, coarse.reflectance),
+                                 limit(fine.transmittance, coarse.transmittance),
+                                 limit(fine.reflectance_below, coarse.reflectance_below),
+                                 limit(fine.transmittance_below, coarse.transmittance_below)};
         if (layers.metal == nullptr) return planes;
         return joined(planes, powers_of(face(substrate.admittance, metal.admittance), substrate, metal));
     }
@@ -395,7 +407,6 @@ ModelPowers powers_at(const Layers& layers, const MediaAt& media, double sine, b
         const PlainLayer& layer = layers.layers[i];
         const Seen medium = seen_in(media.index[i], sine, is_p);
         if (layer.is_incoherent) {
-            if (medium.q.real() < 0.05) throw std::runtime_error("total reflection above an incoherent layer");
             end_part(medium);
             const double left = std::exp(-4.0 * pi_double * medium.q.imag() * layer.thickness_nm / media.nm);
             all = joined(all, ModelPowers{0.0, left, 0.0, left});
@@ -447,9 +458,10 @@ std::vector<Realisation> realisations_of(const Mechanism& mechanism) {
     const double spread = spread_of(mechanism);
     if (spread == 0.0) return {{even, 1.0}};
     std::vector<Realisation> made{{even, 1.0}};
-    // Two passages of light, there and back, and the next harmonic's half.
+    // Of light that goes there and back so many times.
+    const double bounces = std::holds_alternative<Film>(mechanism) ? 6.0 : 2.0;
     const auto frequency = [&](double n, double deviation_nm) {
-        return 1.5 * 4.0 * pi_double * n * deviation_nm / first_nm;
+        return bounces * 4.0 * pi_double * n * deviation_nm / first_nm;
     };
     if (even.crystal != nullptr) {
         const Crystal& crystal = *even.crystal;
@@ -521,6 +533,8 @@ class FlatColour {
 public:
     virtual ~FlatColour() = default;
     virtual Triple at(double x, double step_nm) const = 0;
+    // Nanometres per wavelength that it takes at least to see all there is.
+    virtual double longest_step_nm(double /*x*/) const { return 2.0; }
 };
 
 Triple sum_of(const Nodes& nodes, const Spectrum& spectrum) {
@@ -540,6 +554,16 @@ public:
             const double nm = first_nm + (last_nm - first_nm) * static_cast<double>(i) / intervals;
             base_factor_.push_back(factor_of_base(realisations_, *mechanism.effects.base, nm));
         }
+    }
+
+    // Towards grazing either face of a layer in thinner media is a mirror, and its fringes are sharp.
+    double longest_step_nm(double x) const override {
+        const Layers& layers = realisations_.front().layers;
+        const bool is_free = index_at(layers.substrate, 550.0).real() < 1.15 * index_at(layers.incident, 550.0).real();
+        const double shortest_nm = is_free ? 0.0625 : 1.0;
+        double step_nm = 2.0;
+        while (step_nm > shortest_nm && step_nm > 16.0 * x * x) step_nm *= 0.5;
+        return step_nm;
     }
 
     Triple at(double x, double step_nm) const override {
@@ -1002,9 +1026,9 @@ struct EffectsModel::Parts {
 
     ModelXyz settled(double x) {
         if (palette) return palette->at(x);
-        double step_nm = 2.0;
+        double step_nm = flat->longest_step_nm(x);
         ModelXyz colour = light.adapted(flat->at(x, step_nm));
-        while (step_nm > 0.06) {
+        while (step_nm > 0.017) {
             step_nm *= 0.5;
             const ModelXyz finer = light.adapted(flat->at(x, step_nm));
             brightest = std::max(brightest, finer.y);

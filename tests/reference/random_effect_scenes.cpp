@@ -113,6 +113,8 @@ Mechanism random_film(Dice& dice) {
     const bool is_on_metal = dice.chance(0.2);
     film.substrate = is_on_metal ? random_metal(dice) : dice.chance(0.25) ? Index(1.0) : random_glass(dice);
     if (dice.chance(0.35)) film.thickness_spread_nm = dice.of_any_size(0.01, 0.15 * film.thickness_nm);
+    // A free film's fringes at grazing are too sharp for the judge's mean over thicknesses.
+    if (film.thickness_spread_nm > 0.0 && film.substrate == Index(1.0)) film.substrate = Index(1.5);
     Mechanism mechanism = film;
     refine_layers(dice, mechanism, !is_on_metal);
     return mechanism;

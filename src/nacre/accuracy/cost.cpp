@@ -122,7 +122,7 @@ private:
         };
     }
 
-    // Films and stacks: nodes by product integration, and what others do.
+    // Spectra that are sampled: nodes by product integration, and what others do.
     void add_samplings() {
         const Light& light = *lut_.job.light;
         add(CostFamily::integral, "chosen nodes", sized(integral_size), PixelFormat::single_float);

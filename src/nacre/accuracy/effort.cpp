@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "nacre/bake/sampler.h"
 #include "nacre/bake/spectral_sampling.h"
 
 namespace nacre {
@@ -10,18 +11,33 @@ namespace {
 
 constexpr double most_effort = 1e9;
 
-}  // namespace
-
-Effort::Effort(const Job& job) {
-    if (std::holds_alternative<Palette>(job.material.mechanism)) return;
-    per_sample_ = effort_per_sample(job.material.mechanism);
-    if (!job.y) return;
+// Reflectances that one colour takes, on average over the axes.
+double samples_per_colour(const Job& job) {
+    if (!is_layered(job.material.mechanism)) {
+        Sampler sampler(job);
+        sampler.at(0.5, 0.5);
+        return 1.0 + static_cast<double>(sampler.work().samples);
+    }
     // Bands of angles by their share of the default axis.
     constexpr std::array<double, band_least_cos_theta.size()> share{0.45, 0.33, 0.16, 0.06};
     const NodeCounts counts = job.sampling.node_counts();
     double nodes = 1.0;
     for (std::size_t band = 0; band < counts.size(); ++band) nodes += share[band] * counts[band];
-    const double per_texel = nodes * job.sampling.realisations * per_sample_;
+    return nodes * job.sampling.realisations;
+}
+
+}  // namespace
+
+double effort_per_colour(const Job& job) {
+    if (std::holds_alternative<Palette>(job.material.mechanism)) return 1.0;
+    return samples_per_colour(job) * effort_per_sample(job.material.mechanism);
+}
+
+Effort::Effort(const Job& job) {
+    if (std::holds_alternative<Palette>(job.material.mechanism)) return;
+    per_sample_ = effort_per_sample(job.material.mechanism);
+    if (!job.y) return;
+    const double per_texel = effort_per_colour(job);
     constexpr double fewest = 1 << 13;
     const auto most = static_cast<double>(most_texels_);
     most_texels_ = static_cast<std::int64_t>(std::clamp(0.25 * most_effort / per_texel, fewest, most));

@@ -7,7 +7,11 @@
 
 namespace nacre {
 
-/// What a search among LUTs of a film or stack may take: some ten seconds, counted in reflectances of a film, so that
+/// What one colour of a job takes on average over its axes, in reflectances of a film; 1 for a palette.
+/// @param job  its sampling is decided
+double effort_per_colour(const Job& job);
+
+/// What a search among LUTs may take: some ten seconds, counted in reflectances of a film, so that
 /// the answer is the same on every machine. Palettes are cheap enough to have no limit.
 class Effort {
 public:

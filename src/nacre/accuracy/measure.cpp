@@ -39,6 +39,9 @@ double measured_share(const Job& job) {
         cost = job.sampling.realisations * std::max(1.0, layers / 100.0) * std::max(1.0, fringes / 100.0);
     } else if (const auto* scatter = std::get_if<Scatter>(&mechanism)) {
         cost = 1e-3 * scatter->radius_nm * (scatter->radius_spread > 0.0 ? 96.0 : 1.0);
+        // Other spheres at every point.
+        constexpr double anew = 50.0;
+        if (!job.x.is_angle() || (job.y && !job.y->is_angle())) cost *= anew;
     }
     if (cost <= 1.0) return 1.0;
     return std::clamp(1.0 / std::sqrt(cost), 1.0 / 12.0, 1.0);

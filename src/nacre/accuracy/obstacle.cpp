@@ -23,6 +23,10 @@ std::string between_texels(const SettledLut& settled, const SearchEnd& end) {
 }  // namespace
 
 std::string obstacle(const SettledLut& settled, const SearchEnd& end) {
+    if (settled.predicted.effects > 0.5 * settled.lut.wish.max_de00) {
+        return "effects that the scene does without cost " + error_text(settled.predicted.effects) +
+               ": take them out of without";
+    }
     const Job& job = settled.lut.job;
     const ErrorSplit& split = settled.predicted;
     const auto& wavelengths = job.light->settings.wavelengths;

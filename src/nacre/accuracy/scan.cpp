@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 
+#include "nacre/accuracy/effort.h"
 #include "nacre/bake/bends.h"
 
 namespace nacre {
@@ -33,8 +34,11 @@ int steps_per_cell(int texels, int fewest, int fewest_overall) {
     return std::max(fewest, (fewest_overall + cells - 1) / cells);
 }
 
-// A larger LUT is looked at on every n-th line only, so that looking costs no more than baking.
+// A larger LUT is looked at on every n-th line only, so that looking costs no more than baking; and one whose colours
+// are dear on fewer still, in reflectances of a film.
 constexpr double most_points = 1 << 22;
+constexpr double fewest_points = 1 << 14;
+constexpr double most_effort = 1e9;
 
 struct Cell {
     double largest = 0.0;
@@ -125,7 +129,9 @@ private:
         const int last_step = columns_ * per_column;
         const double points = (1.0 + last_step) * (1.0 + last_line);
         // Odd, so that lines through texels and lines between them have their turn.
-        const int stride = static_cast<int>(std::ceil(points / most_points)) | 1;
+        const double affordable =
+            is_2d() ? std::clamp(most_effort / effort_per_colour(job), fewest_points, most_points) : most_points;
+        const int stride = static_cast<int>(std::ceil(points / affordable)) | 1;
         std::vector<LutPoint> line;
         for (int j = 0; j <= last_line && !is_over(); j += stride) {
             const double y = is_2d() ? static_cast<double>(j) / last_line : 0.0;

@@ -21,6 +21,7 @@ constexpr int fewest_realisations = 32;
 constexpr int realisations_for_nodes = 16;
 // Enough to see whether a spread of thicknesses counts at all.
 constexpr int realisations_of_a_look = 64;
+constexpr int sizes_of_a_look = 32;
 
 // Of a choice, in reflectances of a film: some five seconds.
 constexpr double most_effort = 5e8;
@@ -56,7 +57,8 @@ int next_count(int count) {
 
 // A material, and where light and eye are when it is looked at.
 struct Probes {
-    Mechanism mechanism;
+    Mechanism mechanism;  // without what the job does without
+    Mechanism whole;      // with all that the scene says
     std::vector<Geometry> geometries;
 };
 
@@ -80,6 +82,11 @@ public:
         if (!is_in(Effect::size_spread)) chosen_.sampling.sizes = 1;
         if (is_in(Effect::base) && is_layered(job_.material.mechanism)) choose_hemisphere();
         if (is_in(Effect::thickness_spread)) choose_realisations();
+        if (is_in(Effect::tilt) && only_tilt_moves()) {
+            Mechanism mechanism = bands_.front().front().mechanism;
+            mechanism.effects.tilt_deg = 0.0;
+            chosen_.sampling.facets = std::make_shared<const XyzCurve>(curve_of(mechanism));
+        }
         return std::move(chosen_);
     }
 
@@ -118,7 +125,8 @@ private:
         const int across = y_moves ? (x_moves ? 5 : 9) : 1;
         for (int i = 0; i < along * across; ++i) {
             const double x = coordinate_of_texel(i % along, along);
-            bands_[band].push_back({simulated_at(job_, x, coordinate_of_texel(i / along, across)), geometries});
+            const double y = coordinate_of_texel(i / along, across);
+            bands_[band].push_back({simulated_at(job_, x, y), mechanism_at(job_, x, y), geometries});
         }
     }
 
@@ -259,8 +267,12 @@ private:
         std::array<Colours, band_least_cos_theta.size()> whole;
         for (const EffectRow& row : effect_rows()) {
             if (!named.has(row.effect)) continue;
-            EffectChoice choice{row.effect, !given.has(row.effect), false, 0.0, share};
-            if (choice.is_simulated && share > 0.0) {
+            EffectChoice choice{row.effect, !given.has(row.effect), given.has(row.effect), false, 0.0, share};
+            if (choice.is_given) {
+                choice.is_measured = true;
+                choice.contribution = between_probes * contribution_of_given(row.effect);
+                chosen_.effects_error += choice.contribution;
+            } else if (share > 0.0) {
                 choice.is_measured = true;
                 choice.contribution =
                     between_probes *
@@ -296,6 +308,50 @@ private:
             largest = std::max(largest, largest_difference(other, whole[band]));
         }
         return largest;
+    }
+
+    // Of what the scene does without although its material has it.
+    double contribution_of_given(Effect effect) {
+        EffectSet rest = chosen_.without;
+        rest.erase(effect);
+        double largest = 0.0;
+        for (std::size_t band = 0; band < bands_.size(); ++band) {
+            Colours less;
+            Colours more;
+            for (const Probes& probes : bands_[band]) {
+                Mechanism mechanism = probes.whole;
+                remove(rest, mechanism, first_nm());
+                SpectralSampling sampling = chosen_.sampling;
+                if (effect == Effect::thickness_spread) sampling.realisations = realisations_of_a_look;
+                if (effect == Effect::size_spread) sampling.sizes = sizes_of_a_look;
+                add_colours(probes.mechanism, probes.geometries, chosen_.sampling, less);
+                add_colours(mechanism, probes.geometries, sampling, more);
+            }
+            largest = std::max(largest, largest_difference(less, more));
+        }
+        return largest;
+    }
+
+    // Facets and all.
+    void add_colours(Mechanism mechanism, const std::vector<Geometry>& geometries, const SpectralSampling& sampling,
+                     Colours& out) {
+        const double tilt_deg = std::exchange(mechanism.effects.tilt_deg, 0.0);
+        PreparedColour prepared = prepare_colour(mechanism, sampling, *job_.light, Integral::exact);
+        const auto flat = [&](const Geometry& geometry) {
+            return adapt(job_.light->adaptation, colour_at(prepared, geometry, chosen_.work));
+        };
+        FacetColours facets;
+        if (tilt_deg > 0.0) facets = FacetColours(facet_curve(flat, bends_deg(mechanism), after_step_));
+        for (const Geometry& geometry : geometries) {
+            std::uint64_t& points = work_of(chosen_.work.effects, Effect::tilt).points;
+            out.push_back(tilt_deg > 0.0 ? facets.mean(tilt_deg, geometry.incidence, points) : flat(geometry));
+            if (after_step_) after_step_();
+        }
+    }
+
+    bool only_tilt_moves() const {
+        const auto is_else = [](const Axis& axis) { return !axis.is_angle() && axis.parameter.name != "tilt_deg"; };
+        return !is_else(job_.x) && !(job_.y && is_else(*job_.y));
     }
 
     void choose_realisations() {
@@ -383,13 +439,13 @@ private:
         return tilt_probes_;
     }
 
-    FacetColours facets_of(Mechanism mechanism) {
+    FacetColours facets_of(const Mechanism& mechanism) { return FacetColours(curve_of(mechanism)); }
+
+    XyzCurve curve_of(Mechanism mechanism) {
         remove(chosen_.without, mechanism, first_nm());
         PreparedColour prepared = prepare_colour(mechanism, chosen_.sampling, *job_.light, Integral::exact);
-        const auto colour = [&](const Incidence& incidence) {
-            return adapt(job_.light->adaptation, colour_at(prepared, incidence, chosen_.work));
-        };
-        return FacetColours(facet_curve(colour, bends_deg(mechanism), after_step_));
+        const auto colour = [&](const Incidence& incidence) { return colour_at(prepared, incidence, chosen_.work); };
+        return facet_curve(colour, bends_deg(mechanism), after_step_);
     }
 
     Colours tilted() {
@@ -397,7 +453,8 @@ private:
         std::uint64_t& count = work_of(chosen_.work.effects, Effect::tilt).points;
         for (const TiltProbe& probe : tilt_probes()) {
             for (const double s : tilt_probe_sqrt_cos)
-                result.push_back(probe.facets->mean(probe.tilt_deg, Incidence::from_sqrt_cos(s), count));
+                result.push_back(adapt(job_.light->adaptation,
+                                       probe.facets->mean(probe.tilt_deg, Incidence::from_sqrt_cos(s), count)));
             if (after_step_) after_step_();
         }
         return result;
@@ -406,7 +463,8 @@ private:
     double contribution_of_tilt() {
         Colours flat;
         for (const TiltProbe& probe : tilt_probes()) {
-            for (const double s : tilt_probe_sqrt_cos) flat.push_back(probe.facets->colour().at(s));
+            for (const double s : tilt_probe_sqrt_cos)
+                flat.push_back(adapt(job_.light->adaptation, probe.facets->colour().at(s)));
         }
         return largest_difference(flat, tilted());
     }
@@ -426,8 +484,8 @@ private:
 
 ChosenSampling choose_sampling(const Job& job, const SamplingTolerance& tolerance, const SamplingWish& wish,
                                const std::function<void()>& after_step) {
-    const bool may_drop = tolerance.effects > 0.0 && !effects_in(job).is_empty();
-    if (!samples_spectra(job.material.mechanism) && !may_drop) {
+    const EffectSet named = effects_in(job);
+    if (!samples_spectra(job.material.mechanism) && named.is_empty()) {
         ChosenSampling nothing;
         nothing.without = job.without;
         return nothing;

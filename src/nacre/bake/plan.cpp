@@ -163,10 +163,17 @@ private:
     void warn_of_black_gratings() {
         for (const Material& material : plan_.materials) {
             const auto* grating = std::get_if<Grating>(&material.mechanism);
-            if (grating == nullptr || !counted_orders(*grating, plan_.light->settings.first_nm).empty()) continue;
-            plan_.warnings.push_back(material.where.text() + " " + material.name +
-                                     ": no order of the grating that counts can be seen: its grooves are too close "
-                                     "together, and everything that shows it is black");
+            if (grating == nullptr) continue;
+            const std::string where = material.where.text() + " " + material.name + ": ";
+            if (counted_orders(*grating, plan_.light->settings.first_nm).empty()) {
+                plan_.warnings.push_back(where +
+                                         "no order of the grating that counts can be seen: its grooves are too close "
+                                         "together, and everything that shows it is black");
+            } else if (grating->azimuth_deg > 0.0 && grating->groove_length_um == 0.0) {
+                plan_.warnings.push_back(where +
+                                         "endless grooves send no light aside, and everything that shows them from "
+                                         "azimuth_deg > 0 is black; give groove_length_um");
+            }
         }
     }
 

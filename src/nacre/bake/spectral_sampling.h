@@ -11,6 +11,7 @@
 #include "nacre/bake/light.h"
 #include "nacre/bake/mechanism.h"
 #include "nacre/bake/work.h"
+#include "nacre/bake/xyz_curve.h"
 #include "nacre/colour/spectral_nodes.h"
 #include "nacre/optics/incidence.h"
 
@@ -31,6 +32,8 @@ struct SpectralSampling {
     /// Layers that are so thick that eye and light blur their fringes to the last: taken as incoherent. Nodes of the
     /// layer system.
     std::vector<std::size_t> blurred;
+    /// Of a tilted surface: what one facet shows, before adaptation; null: made when it is asked for.
+    std::shared_ptr<const XyzCurve> facets;
     int hemisphere = 8;  ///< directions of light below layers with a base, on either side of the critical angle
     int sizes = 1;       ///< radii of spheres
 
@@ -65,6 +68,7 @@ inline constexpr int most_nodes = 1 << 17;
 struct EffectChoice {
     Effect effect = Effect::dispersion;
     bool is_simulated = true;
+    bool is_given = false;      ///< whether the scene says to do without
     bool is_measured = false;   ///< whether anybody looked
     double contribution = 0.0;  ///< what leaving it out changes, CIEDE2000 at the scale of the brightest probe
     double share = 0.0;         ///< of the budget, up to which it is left out
@@ -106,8 +110,8 @@ struct SamplingWish {
 /// to change nothing that counts. Nodes start at two per fringe, and grow until more of them change nothing that
 /// counts. Then every effect is left out for once: whatever changes no probe by more than its part of `effects` is left
 /// out for good. Then come realisations, radii and directions below a base. The light's own `wavelengths` are
-/// taken if the scene insists on them; job.without is left out unseen. Thousands of layers may want more than a search
-/// should take: then it ends with what it has, and tells its error.
+/// taken if the scene insists on them; job.without is left out, and what that changes is an error like any other.
+/// Thousands of layers may want more than a search should take: then it ends with what it has, and tells its error.
 /// @param after_step  called every few colours; what it throws ends the choice
 ChosenSampling choose_sampling(const Job& job, const SamplingTolerance& tolerance, const SamplingWish& wish = {},
                                const std::function<void()>& after_step = {});

@@ -65,6 +65,8 @@ MeasuredCurve::MeasuredCurve(const MeasuredSpectra& spectra)
         const std::vector<double> column =
             slopes(angle_deg_, [&](std::size_t angle) { return value_[angle * wavelengths + i]; });
         for (std::size_t angle = 0; angle < column.size(); ++angle) slope_[angle * wavelengths + i] = column[angle];
+        // A surface looks alike from either side of its normal.
+        if (angle_deg_.front() == 0.0) slope_[i] = 0.0;
     }
 }
 

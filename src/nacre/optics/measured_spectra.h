@@ -16,8 +16,8 @@ struct MeasuredSpectra {
 };
 
 /// Spectra at any angle: monotone cubic interpolation (Fritsch and Carlson 1980; Fritsch and Butland 1984) from angle
-/// to angle at each wavelength, so that nothing overshoots what was measured; beyond the first and last angle theirs
-/// are held.
+/// to angle at each wavelength, so that nothing overshoots what was measured; level at the normal, if that was
+/// measured, for a surface looks alike from either side of it; beyond the first and last angle theirs are held.
 class MeasuredCurve {
 public:
     explicit MeasuredCurve(const MeasuredSpectra& spectra);

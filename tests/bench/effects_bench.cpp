@@ -1,0 +1,231 @@
+// Effects: what each adds to a LUT's bake, and what the plain way to compute it would take, both in turn inside of one
+// loop. Read the ratios.
+//
+//   adds     time with the effect over the time without
+//   ratio    the rival's time over ours
+//   dE00     largest CIEDE2000 over the LUT, at the scale of its brightest texel: ours and the rival's, each against a
+//            sum of many more points
+#include <benchmark/benchmark.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <functional>
+#include <memory>
+#include <random>
+#include <utility>
+#include <vector>
+
+#include "bench/lut_colours.h"
+#include "io/baked_lut.h"
+#include "nacre/accuracy/rivals.h"
+#include "nacre/bake/layered_colour.h"
+#include "nacre/bake/prepared_colour.h"
+#include "nacre/bake/tilt.h"
+#include "nacre/optics/gauss_points.h"
+
+namespace nacre::bench {
+namespace {
+
+Mechanism film() {
+    return Film{Index(1.0), Index(1.56), 420.0, Index(1.33), 0.0};
+}
+Mechanism palette() {
+    return Palette{{{0, {460, 70, 1}}, {40, {395, 60, 0.7}}}, 0.26};
+}
+
+using Way = std::function<Colours()>;
+
+// @param plain  the same without the effect
+// @param truth  empty: the rival's way is exact
+void compare(benchmark::State& state, const Job& job, const Job& plain, const Way& rival, const Way& truth) {
+    double ours = 0.0, less = 0.0, theirs = 0.0;
+    for (auto _ : state) {
+        ours += seconds_of([&] { benchmark::DoNotOptimize(bake(job)); });
+        less += seconds_of([&] { benchmark::DoNotOptimize(bake(plain)); });
+        theirs += seconds_of([&] { benchmark::DoNotOptimize(rival()); });
+    }
+    const Colours true_colours = truth ? truth() : rival();
+    state.counters["us"] = 1e6 * ours / static_cast<double>(state.iterations());
+    state.counters["adds"] = ours / less;
+    state.counters["ratio"] = theirs / ours;
+    state.counters["dE00"] = largest_difference(colours_of(bake(job)), true_colours);
+    if (truth) state.counters["rival_dE00"] = largest_difference(rival(), true_colours);
+}
+
+// ---- Tilt: facet after facet, each with its own integral over wavelength ----
+
+Colours facet_by_facet(const Job& job, TiltPoints points) {
+    Mechanism flat = job.material.mechanism;
+    const double tilt_deg = std::exchange(flat.effects.tilt_deg, 0.0);
+    PreparedColour prepared = prepare_colour(flat, job.sampling, *job.light, Integral::exact);
+    Work work;
+    Colours colours;
+    for (int i = 0; i < texels; ++i) {
+        Xyz sum;
+        for (const Facet& facet : visible_facets(tilt_deg, geometry_of_texel(job, i).incidence, points)) {
+            const Xyz seen = colour_at(prepared, Incidence::from_cos(facet.cos_theta), work);
+            sum = {sum.x + facet.share * seen.x, sum.y + facet.share * seen.y, sum.z + facet.share * seen.z};
+        }
+        colours.push_back(adapt(job.light->adaptation, sum));
+    }
+    return colours;
+}
+void tilted(benchmark::State& state, Mechanism mechanism) {
+    const Mechanism flat = mechanism;
+    mechanism.effects.tilt_deg = 10.0;
+    const Job job = decided(mechanism);
+    compare(
+        state, job, decided(flat),
+        [&] {
+            return facet_by_facet(job, {8, 16});
+        },
+        [&] {
+            return facet_by_facet(job, {24, 48});
+        });
+}
+void tilted_film(benchmark::State& state) {
+    tilted(state, film());
+}
+void tilted_palette(benchmark::State& state) {
+    tilted(state, palette());
+}
+
+// ---- The rest of a film's ----
+
+// Layers, at every nanometre.
+Colours at_every_nm(Job job, int hemisphere) {
+    job.sampling.nodes.fill(std::make_shared<const SpectralNodes>(sum_nodes(*job.light, 1)));
+    job.sampling.hemisphere = hemisphere;
+    return colours_of(bake(job));
+}
+void film_on_a_base(benchmark::State& state) {
+    Mechanism mechanism = film();
+    mechanism.effects.base = GreyBase{0.3};
+    const Job job = decided(mechanism);
+    Job better = job;
+    better.sampling.hemisphere = 64;
+    better.sampling.nodes.fill(std::make_shared<const SpectralNodes>(make_spectral_nodes(job.light->weights, 2048)));
+    compare(
+        state, job, decided(film()), [&] { return at_every_nm(job, 16); }, [&] { return colours_of(bake(better)); });
+    state.counters["directions"] = job.sampling.hemisphere;
+}
+
+// Films whose thicknesses are as many points of a rule, or as many draws.
+Colours mean_film(const Job& job, const std::vector<GaussPoint>& deviations) {
+    Film one = std::get<Film>(job.material.mechanism);
+    const double spread_nm = std::exchange(one.thickness_spread_nm, 0.0);
+    const double mean_nm = one.thickness_nm;
+    SpectralSampling sampling = job.sampling;
+    sampling.realisations = 1;
+    Colours mean(texels);
+    for (const GaussPoint& deviation : deviations) {
+        one.thickness_nm = std::max(0.0, mean_nm + spread_nm * deviation.at);
+        LayeredColour colour(one, sampling);
+        for (int i = 0; i < texels; ++i) {
+            const Xyz seen = colour.at(geometry_of_texel(job, i).incidence);
+            Xyz& sum = mean[static_cast<std::size_t>(i)];
+            sum = {sum.x + deviation.weight * seen.x, sum.y + deviation.weight * seen.y,
+                   sum.z + deviation.weight * seen.z};
+        }
+    }
+    for (Xyz& sum : mean) sum = adapt(job.light->adaptation, sum);
+    return mean;
+}
+std::vector<GaussPoint> draws(int count) {
+    std::mt19937 random(1);
+    std::normal_distribution<double> drawn;
+    std::vector<GaussPoint> points;
+    for (int i = 0; i < count; ++i) points.push_back({drawn(random), 1.0 / count});
+    return points;
+}
+void film_of_uneven_thickness(benchmark::State& state) {
+    Mechanism mechanism = film();
+    std::get<Film>(mechanism).thickness_spread_nm = 30.0;
+    const Job job = decided(mechanism);
+    const Way drawn = [&] { return mean_film(job, draws(job.sampling.realisations)); };
+    const Way truth = [&] { return mean_film(job, normal_points(256)); };
+    compare(state, job, decided(film()), drawn, truth);
+    state.counters["films"] = job.sampling.realisations;
+    // What a rule for one variable does with few of them.
+    state.counters["8_points_dE00"] = largest_difference(mean_film(job, normal_points(8)), truth());
+}
+
+Mechanism stack_of_20(Polarisation polarisation) {
+    Stack stack{Index(1.0), {}, Index(1.52), 0.0};
+    for (int i = 0; i < 20; ++i) {
+        Layer layer;
+        layer.index = i % 2 == 0 ? Index(1.7) : Index(1.46);
+        layer.thickness_nm = 60.0 + 4.0 * i;
+        stack.layers.push_back(layer);
+    }
+    Mechanism mechanism = stack;
+    mechanism.effects.polarisation = polarisation;
+    return mechanism;
+}
+// The rival: spectra of both, of which one is summed.
+void stack_in_s_light(benchmark::State& state) {
+    const Mechanism mechanism = stack_of_20(Polarisation::s);
+    Job job = decided(mechanism);
+    job.sampling.nodes.fill(job.sampling.nodes.front());  // at all angles alike
+    const SpectralNodes& nodes = *job.sampling.nodes.front();
+    const LayerSystem system = layer_systems(mechanism, 1).front();
+    const auto both = [&] {
+        const MultilayerSolver solver(system, nodes.wavelength_nm);
+        std::vector<Response> responses(nodes.wavelength_nm.size());
+        Colours colours;
+        for (int i = 0; i < texels; ++i) {
+            solver.responses(geometry_of_texel(job, i).incidence, responses);
+            Xyz sum;
+            for (std::size_t k = 0; k < responses.size(); ++k) {
+                const double r = responses[k].reflectance_s;
+                sum = {sum.x + r * nodes.x[k], sum.y + r * nodes.y[k], sum.z + r * nodes.z[k]};
+            }
+            colours.push_back(adapt(job.light->adaptation, sum));
+        }
+        return colours;
+    };
+    Job mean = job;
+    mean.material.mechanism = stack_of_20(Polarisation::mean);
+    compare(state, job, mean, both, {});
+}
+
+// ---- The planner: a film with effects that hardly anybody sees, and one with effects that all see ----
+
+void decide_and_bake(benchmark::State& state, double strength) {
+    Mechanism mechanism = film();
+    std::get<Film>(mechanism).thickness_spread_nm = 20.0 * strength;
+    mechanism.effects.tilt_deg = 10.0 * strength;
+    mechanism.effects.base = GreyBase{0.3 * strength * strength};
+    PlannedLut lut;
+    lut.name = "film";
+    lut.job.material = {"film", mechanism, {}};
+    lut.job.light = d65();
+    PlannedLut all = lut;
+    all.wish.may_drop_effects = false;
+    const ColourTransform transform = ColourConfig::open({"", "", "bench"}).to_colour_space("lin_rec709", "bench");
+    const Encoding encoding = lut_encoding(transform, Gamut::keep);
+    double ours = 0.0, theirs = 0.0, baking = 0.0, baking_all = 0.0;
+    for (auto _ : state) {
+        SettledLut settled, settled_all;
+        ours += seconds_of([&] { settled = settle(lut, encoding); });
+        baking += seconds_of([&] { benchmark::DoNotOptimize(bake(settled.lut.job)); });
+        theirs += seconds_of([&] { settled_all = settle(all, encoding); });
+        baking_all += seconds_of([&] { benchmark::DoNotOptimize(bake(settled_all.lut.job)); });
+        state.counters["left_out"] = settled.lut.job.without.size();
+        state.counters["effects_dE00"] = settled.predicted.effects;
+    }
+    state.counters["decide_ms"] = 1e3 * ours / static_cast<double>(state.iterations());
+    state.counters["decide_ratio"] = theirs / ours;  // the rival simulates whatever the scene names
+    state.counters["bake_ratio"] = baking_all / baking;
+}
+
+BENCHMARK(tilted_film)->Unit(benchmark::kMillisecond);
+BENCHMARK(tilted_palette)->Unit(benchmark::kMillisecond);
+BENCHMARK(film_on_a_base)->Unit(benchmark::kMillisecond);
+BENCHMARK(film_of_uneven_thickness)->Unit(benchmark::kMillisecond);
+BENCHMARK(stack_in_s_light)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(decide_and_bake, weak, 1e-3)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(decide_and_bake, strong, 1.0)->Unit(benchmark::kMillisecond);
+
+}  // namespace
+}  // namespace nacre::bench

@@ -620,7 +620,6 @@ class LinesColour : public FlatColour {
 public:
     LinesColour(const Mechanism& mechanism, const Light& light)
         : light_(light), grating_(std::get<Grating>(mechanism)) {
-        if (grating_.azimuth_deg != 0.0) throw std::runtime_error("a grating seen from beside");
         const int largest = static_cast<int>(2.0 * grating_.period_nm / first_nm);
         for (int m = 0; m <= largest; ++m) {
             const bool is_named = std::find(grating_.orders.begin(), grating_.orders.end(), m) != grating_.orders.end();
@@ -629,7 +628,9 @@ public:
     }
 
     Triple at(double x, double step_nm) const override {
-        const double u = 2.0 * x, d = grating_.period_nm;
+        const double azimuth = grating_.azimuth_deg * pi_double / 180.0;
+        const double u = 2.0 * x * std::cos(azimuth), d = grating_.period_nm;
+        const double along_nm = 2.0 * x * std::sin(azimuth) * 1000.0 * grating_.groove_length_um;
         Triple sum{};
         for (double nm = first_nm; nm < last_nm;) {
             const double ripples_per_nm = grating_.grooves * u * d / square(nm);
@@ -643,7 +644,7 @@ public:
                 if (m > 0) line += line_at(u * d / middle + m);
                 density += efficiency_at(i, middle) * line;
             }
-            density *= grating_.grooves * d / middle;
+            density *= grating_.grooves * d / middle * std::exp(-pi_double * square(along_nm / middle));
             const Triple weight = light_.weight_at(middle);
             for (std::size_t c = 0; c < 3; ++c) sum[c] += length * density * weight[c];
             nm += length;
@@ -1024,6 +1025,8 @@ struct EffectsModel::Parts {
     double brightest = 0.0;
     std::size_t unsettled = 0;
 
+    ModelXyz facet(double x) { return curve.empty() ? settled(x) : cubic_at(curve, x, plus); }
+
     ModelXyz settled(double x) {
         if (palette) return palette->at(x);
         double step_nm = flat->longest_step_nm(x);
@@ -1050,7 +1053,8 @@ EffectsModel::EffectsModel(const Mechanism& mechanism, const std::string& illumi
         parts_->palette = std::make_unique<DenseModel>(scene_of(*palette, illuminant, observer_deg));
     else
         parts_->flat = flat_colour(parts_->mechanism, parts_->light);
-    if (mechanism.effects.tilt_deg == 0.0) return;
+    // What is measured bends at its angles: that is asked facet by facet.
+    if (mechanism.effects.tilt_deg == 0.0 || std::holds_alternative<MeasuredSpectra>(mechanism)) return;
     // Palettes bend at their picks, and cost nothing; fringes towards grazing are what others need points for.
     const int intervals = parts_->palette ? 8192 : 192;
     for (int i = intervals; i >= 0; --i) parts_->curve.push_back(parts_->settled(static_cast<double>(i) / intervals));
@@ -1067,7 +1071,7 @@ ModelXyz EffectsModel::at(double x) const {
     const double theta_deg = 2.0 * std::asin(std::sqrt(0.5 * (1.0 - x) * (1.0 + x))) * 180.0 / pi_double;
     ModelXyz sum;
     for (const ModelFacet& facet : facets_seen(tilt_deg, theta_deg))
-        sum = plus(sum, facet.share, cubic_at(parts_->curve, std::sqrt(facet.cos_beta), plus));
+        sum = plus(sum, facet.share, parts_->facet(std::sqrt(facet.cos_beta)));
     return sum;
 }
 

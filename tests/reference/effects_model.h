@@ -21,9 +21,8 @@ namespace nacre::reference {
 /// their radii a trapezium rule over the logarithm, their order Percus and Yevick's direct correlation. Measured
 /// spectra are cubics in Hermite's form.
 ///
-/// What it does not know: graded layers, spreads of more than two layers, gratings seen from beside: then it throws
-/// std::runtime_error. Spreads of layers that are mirrors on both sides, as free films are at grazing, are too much for
-/// it.
+/// What it does not know: graded layers, spreads of more than two layers: then it throws std::runtime_error. Spreads of
+/// layers that are mirrors on both sides, as free films are at grazing, are too much for it.
 class EffectsModel {
 public:
     /// Light from 360 to 830 nm, Bradford to D65. @param illuminant  a column of illuminants_5nm.csv

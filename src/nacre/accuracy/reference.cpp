@@ -46,12 +46,7 @@ std::vector<Response> mean_responses(const std::vector<LayerSystem>& systems, co
         } else {
             MultilayerSolver(system, wavelengths_nm).responses(incidence, responses);
         }
-        for (std::size_t i = 0; i < responses.size(); ++i) {
-            mean[i].reflectance_s += share * responses[i].reflectance_s;
-            mean[i].reflectance_p += share * responses[i].reflectance_p;
-            mean[i].transmittance_s += share * responses[i].transmittance_s;
-            mean[i].transmittance_p += share * responses[i].transmittance_p;
-        }
+        for (std::size_t i = 0; i < responses.size(); ++i) add(mean[i], share, responses[i]);
     }
     return mean;
 }

@@ -1,6 +1,7 @@
 #include "nacre/bake/bake.h"
 
 #include <algorithm>
+#include <optional>
 
 #include "nacre/bake/sampler.h"
 
@@ -40,7 +41,7 @@ struct ResponsesAt {
     }
 
     std::vector<Response> layered() const {
-        return layered_responses(mechanism, geometry.incidence, wavelengths_nm, spectrum_realisations);
+        return LayeredSpectra(mechanism, wavelengths_nm, spectrum_realisations).at(geometry.incidence);
     }
     template <typename Reflectance>
     std::vector<Response> unpolarised(const Reflectance& reflectance) const {
@@ -66,15 +67,14 @@ std::vector<Response> responses_at(const Mechanism& mechanism, const Geometry& g
     const double tilt_deg = mechanism.effects.tilt_deg;
     if (tilt_deg == 0.0) return flat_responses(mechanism, geometry, wavelengths_nm);
     // Facet by facet: a spectrum is asked for once, and wants no curve.
+    constexpr int realisations_of_facets = 256;
+    std::optional<LayeredSpectra> layers;
+    if (is_layered(mechanism)) layers.emplace(mechanism, wavelengths_nm, realisations_of_facets);
     std::vector<Response> mean(wavelengths_nm.size());
     for (const Facet& facet : visible_facets(tilt_deg, geometry.incidence)) {
-        const auto responses = flat_responses(mechanism, Incidence::from_cos(facet.cos_theta), wavelengths_nm);
-        for (std::size_t i = 0; i < mean.size(); ++i) {
-            mean[i].reflectance_s += facet.share * responses[i].reflectance_s;
-            mean[i].reflectance_p += facet.share * responses[i].reflectance_p;
-            mean[i].transmittance_s += facet.share * responses[i].transmittance_s;
-            mean[i].transmittance_p += facet.share * responses[i].transmittance_p;
-        }
+        const Incidence incidence = Incidence::from_cos(facet.cos_theta);
+        const auto responses = layers ? layers->at(incidence) : flat_responses(mechanism, incidence, wavelengths_nm);
+        for (std::size_t i = 0; i < mean.size(); ++i) add(mean[i], facet.share, responses[i]);
     }
     return mean;
 }

@@ -27,7 +27,7 @@ Samples sample(const Mechanism& mechanism, const Incidence& incidence, double fr
     for (int i = 0; i <= steps; ++i)
         samples.nm.push_back(std::lerp(from_nm, to_nm, static_cast<double>(i) / static_cast<double>(steps)));
     const std::vector<Response> responses = samples_spectra(mechanism)
-                                                ? layered_responses(mechanism, incidence, samples.nm, band_realisations)
+                                                ? LayeredSpectra(mechanism, samples.nm, band_realisations).at(incidence)
                                                 : responses_at(mechanism, incidence, samples.nm);
     for (const Response& response : responses) samples.reflectance.push_back(response.reflectance());
     return samples;

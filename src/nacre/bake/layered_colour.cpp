@@ -64,6 +64,24 @@ std::vector<LayerSystem> crystal_domains(const Crystal& crystal, int count) {
     return systems;
 }
 
+// Whether either of the materials that a medium is mixed of has a property.
+template <typename Has>
+bool has_either(const LayerSystem& system, int medium, const Has& has) {
+    const Medium& mixed = system.media[static_cast<std::size_t>(medium)];
+    return has(system.curves[static_cast<std::size_t>(mixed.curve)]) ||
+           (mixed.share != 0.0 && has(system.curves[static_cast<std::size_t>(mixed.other)]));
+}
+
+bool is_dispersive(const LayerSystem& system, int medium) {
+    return has_either(system, medium, [](const Index& index) { return !index.is_constant(); });
+}
+
+bool absorbs(const LayerSystem& system, int medium) {
+    return has_either(system, medium, [](const Index& index) {
+        return index.is_constant() ? index.constant.imag() > 0.0 : !index.curve->is_lossless();
+    });
+}
+
 double spread_of(const Mechanism& mechanism) {
     if (const auto* film = std::get_if<Film>(&mechanism)) return film->thickness_spread_nm;
     if (const auto* stack = std::get_if<Stack>(&mechanism)) return stack->thickness_spread_nm;
@@ -80,7 +98,10 @@ bool is_irregular(const Mechanism& mechanism) {
 std::vector<LayerSystem> layer_systems(const Mechanism& mechanism, int realisations,
                                        std::span<const std::size_t> blurred) {
     LayerSystem regular = regular_system(mechanism);
-    for (const std::size_t node : blurred) regular.nodes[node].is_incoherent = true;
+    // What lies below a thick layer is gone where those are left out.
+    for (const std::size_t node : blurred) {
+        if (node < regular.nodes.size()) regular.nodes[node].is_incoherent = true;
+    }
     const double spread_nm = spread_of(mechanism);
     std::vector<LayerSystem> systems;
     if (spread_nm == 0.0 || realisations < 2) {
@@ -199,45 +220,49 @@ void LayeredColour::count(const SpectralNodes& nodes, Work& work) const {
     if (systems_.size() > 1) work_of(work.effects, Effect::thickness_spread).spectra += spectra;
     if (effects_.base) ++work_of(work.effects, Effect::base).spectra;
     const LayerSystem& system = systems_.front();
+    std::uint64_t incoherent = 0;
     for (const LayerNode& node : system.nodes) {
-        if (node.repeat > 0) continue;
-        if (node.is_incoherent && node.thickness_nm > 0.0)
-            work_of(work.effects, Effect::incoherent_layers).layers += spectra;
-        const Medium& medium = system.media[static_cast<std::size_t>(node.medium)];
-        const Index& index = system.curves[static_cast<std::size_t>(medium.curve)];
-        if (!index.is_constant()) work_of(work.effects, Effect::dispersion).layers += samples;
-        const bool absorbs = index.is_constant() ? index.constant.imag() > 0.0 : !index.curve->is_lossless();
-        if (absorbs) work_of(work.effects, Effect::absorption).layers += samples;
+        // Of the gap above a metal nothing counts but its index.
+        if (node.repeat == 0 && is_dispersive(system, node.medium))
+            work_of(work.effects, Effect::dispersion).layers += samples;
+        if (node.repeat > 0 || !(node.thickness_nm > 0.0)) continue;
+        if (node.is_incoherent) ++incoherent;
+        if (absorbs(system, node.medium)) work_of(work.effects, Effect::absorption).layers += samples;
     }
+    for (const int half_space : {system.incident, system.substrate}) {
+        if (is_dispersive(system, half_space)) work_of(work.effects, Effect::dispersion).layers += samples;
+    }
+    // Layers that are blurred are the scene's no more than nodes are.
+    incoherent -= std::min<std::uint64_t>(incoherent, sampling_.blurred.size());
+    work_of(work.effects, Effect::incoherent_layers).layers += spectra * incoherent;
 }
 
 std::uint64_t LayeredColour::samples(const Incidence& incidence) const {
     return static_cast<std::uint64_t>(sampling_.nodes[band_of(incidence)]->count) * systems_.size();
 }
 
-std::vector<Response> layered_responses(const Mechanism& mechanism, const Incidence& incidence,
-                                        std::span<const double> wavelengths_nm, int realisations) {
-    std::vector<Response> mean(wavelengths_nm.size());
-    std::vector<Response> one(wavelengths_nm.size());
+LayeredSpectra::LayeredSpectra(const Mechanism& mechanism, std::span<const double> wavelengths_nm, int realisations)
+    : count_(wavelengths_nm.size()) {
     const std::vector<LayerSystem> systems = layer_systems(mechanism, realisations);
-    const double share = 1.0 / static_cast<double>(systems.size());
-    for (const LayerSystem& system : systems) {
-        MultilayerSolver(system, wavelengths_nm).responses(incidence, one);
-        for (std::size_t i = 0; i < one.size(); ++i) {
-            mean[i].reflectance_s += share * one[i].reflectance_s;
-            mean[i].reflectance_p += share * one[i].reflectance_p;
-            mean[i].transmittance_s += share * one[i].transmittance_s;
-            mean[i].transmittance_p += share * one[i].transmittance_p;
-        }
+    for (const LayerSystem& system : systems) solvers_.emplace_back(system, wavelengths_nm);
+    const Base* base = diffuse_base(mechanism.effects);
+    if (base == nullptr) return;
+    constexpr int points = 24;
+    base_factors_ = base_factors(*base, systems, wavelengths_nm, points);
+}
+
+std::vector<Response> LayeredSpectra::at(const Incidence& incidence) const {
+    std::vector<Response> mean(count_);
+    std::vector<Response> one(count_);
+    const double share = 1.0 / static_cast<double>(solvers_.size());
+    for (const MultilayerSolver& solver : solvers_) {
+        solver.responses(incidence, one);
+        for (std::size_t i = 0; i < count_; ++i) add(mean[i], share, one[i]);
     }
-    if (const Base* base = diffuse_base(mechanism.effects)) {
-        constexpr int points = 64;
-        const std::vector<double> factors = base_factors(*base, systems, wavelengths_nm, points);
-        for (std::size_t i = 0; i < mean.size(); ++i) {
-            mean[i].reflectance_s += mean[i].transmittance_s * factors[i];
-            mean[i].reflectance_p += mean[i].transmittance_p * factors[i];
-            mean[i].transmittance_s = mean[i].transmittance_p = 0.0;
-        }
+    for (std::size_t i = 0; i < base_factors_.size(); ++i) {
+        mean[i].reflectance_s += mean[i].transmittance_s * base_factors_[i];
+        mean[i].reflectance_p += mean[i].transmittance_p * base_factors_[i];
+        mean[i].transmittance_s = mean[i].transmittance_p = 0.0;
     }
     return mean;
 }

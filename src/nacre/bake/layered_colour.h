@@ -56,8 +56,19 @@ private:
     std::array<Band, band_least_cos_theta.size()> bands_;
 };
 
-/// What becomes of light at some wavelengths; the mean over realisations of uneven layers. Nothing passes a base.
-std::vector<Response> layered_responses(const Mechanism& mechanism, const Incidence& incidence,
-                                        std::span<const double> wavelengths_nm, int realisations);
+/// What becomes of light at some wavelengths, for many angles; the mean over realisations of uneven layers. Nothing
+/// passes a base.
+class LayeredSpectra {
+public:
+    /// @pre is_layered(mechanism)
+    LayeredSpectra(const Mechanism& mechanism, std::span<const double> wavelengths_nm, int realisations);
+
+    std::vector<Response> at(const Incidence& incidence) const;
+
+private:
+    std::size_t count_;
+    std::vector<MultilayerSolver> solvers_;  // one per realisation
+    std::vector<double> base_factors_;       // none: no diffuse base
+};
 
 }  // namespace nacre

@@ -216,7 +216,7 @@ std::string fixed_text(const Job& job) {
     return rounded_text(job.fixed.incidence.theta_deg) + "°";
 }
 
-// A grating's light is power per unit of u: lines are brighter than white.
+// Of a grating it is power per unit of u, of scattering what goes one way: either may be brighter than white.
 void expose(Swatch& swatch, const PlotArea& area) {
     Image<Xyz>& image = swatch.panels.back().image;
     double brightest = 0.0;
@@ -238,7 +238,7 @@ Swatch draw_strip(const PlannedSwatch& planned) {
     const PlotArea area = job.y ? lut_area : strip_area;
     Swatch swatch = blank(picture_width, area.top + area.height + below_plot);
     swatch.panels.push_back(bake_panel(job, area));
-    if (quantity_of(job.material.mechanism) == Quantity::grating_u) expose(swatch, area);
+    if (quantity_of(job.material.mechanism) != Quantity::incidence) expose(swatch, area);
     draw_title(swatch, planned.title, job, job.y ? area.left - 10 : area.left, area.left + area.width);
     draw_frame(swatch, area);
     draw_x_axis(swatch, area, job.x, axis_title(job.x));

@@ -17,6 +17,13 @@ struct Response {
     double transmittance() const { return 0.5 * (transmittance_s + transmittance_p); }
 };
 
+inline void add(Response& sum, double share, const Response& one) {
+    sum.reflectance_s += share * one.reflectance_s;
+    sum.reflectance_p += share * one.reflectance_p;
+    sum.transmittance_s += share * one.transmittance_s;
+    sum.transmittance_p += share * one.transmittance_p;
+}
+
 inline double reflectance_of(const Response& response, Polarisation polarisation) {
     return polarisation == Polarisation::mean ? response.reflectance()
            : polarisation == Polarisation::s  ? response.reflectance_s

@@ -239,7 +239,7 @@ TEST(SpectralSampling, AScenesOwnWavelengthsSampleEveryFringeAsItIs) {
     std::vector<double> wavelengths_nm;
     for (int i = 0; i < 471; ++i) wavelengths_nm.push_back(job.light->grid.wavelength_nm(i));
     Spectrum spectrum{job.light->grid, {}};
-    for (const Response& r : layered_responses(job.material.mechanism, normal, wavelengths_nm, 1))
+    for (const Response& r : LayeredSpectra(job.material.mechanism, wavelengths_nm, 1).at(normal))
         spectrum.value.push_back(r.reflectance());
     EXPECT_NEAR(colour.at(normal).y, to_xyz(job.light->grid_weights, spectrum).y, 1e-12);
 }

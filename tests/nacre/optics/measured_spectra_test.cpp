@@ -113,14 +113,27 @@ TEST(MeasuredSpectra, ParabolasEndsAreTheirOwn) {
     EXPECT_NEAR((spectrum_at(spectra, 10.0 + step_deg)[0] - values[0]) / step_deg, 2e-4 * 10.0, 1e-7);
     EXPECT_NEAR((values[3] - spectrum_at(spectra, 60.0 - step_deg)[0]) / step_deg, 2e-4 * 60.0, 1e-7);
     // One that would leave the end backwards stays flat.
-    const MeasuredSpectra bent = one_wavelength({0.0, 10.0, 20.0}, {0.1, 0.11, 0.5});
-    EXPECT_NEAR((spectrum_at(bent, step_deg)[0] - 0.1) / step_deg, 0.0, 1e-7);
+    const MeasuredSpectra bent = one_wavelength({5.0, 15.0, 25.0}, {0.1, 0.11, 0.5});
+    EXPECT_NEAR((spectrum_at(bent, 5.0 + step_deg)[0] - 0.1) / step_deg, 0.0, 1e-7);
     // Hermite's cubic half-way: the mean of values, and an eighth of the width times the difference of slopes.
     const double inner = 2.0 / (1.0 / 0.001 + 1.0 / 0.039);
-    EXPECT_NEAR(spectrum_at(bent, 5.0)[0], 0.105 - 10.0 / 8.0 * inner, 1e-15);
+    EXPECT_NEAR(spectrum_at(bent, 10.0)[0], 0.105 - 10.0 / 8.0 * inner, 1e-15);
     // One that turns round at once is no steeper than three times what follows.
-    const MeasuredSpectra steep = one_wavelength({0.0, 10.0, 20.0}, {0.1, 0.11, 0.01});
-    EXPECT_NEAR((spectrum_at(steep, step_deg)[0] - 0.1) / step_deg, 3.0 * 0.001, 1e-7);
+    const MeasuredSpectra steep = one_wavelength({5.0, 15.0, 25.0}, {0.1, 0.11, 0.01});
+    EXPECT_NEAR((spectrum_at(steep, 5.0 + step_deg)[0] - 0.1) / step_deg, 3.0 * 0.001, 1e-7);
+}
+
+TEST(MeasuredSpectra, AreLevelAtTheNormalBecauseASurfaceLooksAlikeFromEitherSideOfIt) {
+    // A cubic that starts level moves by its curvature alone: 3 * 0.01 / 10^2 * step^2 at most.
+    const double step_deg = 1e-4;
+    for (const double last : {0.01, 0.12, 0.5}) {
+        const MeasuredSpectra spectra = one_wavelength({0.0, 10.0, 20.0}, {0.1, 0.11, last});
+        EXPECT_NEAR((spectrum_at(spectra, step_deg)[0] - 0.1) / step_deg, 0.0, 1e-7) << last;
+        EXPECT_GT(spectrum_at(spectra, 5.0)[0], 0.1) << last;
+    }
+    // Where nobody looked at the normal nothing is said of it.
+    const MeasuredSpectra oblique = one_wavelength({1.0, 10.0, 20.0}, {0.1, 0.19, 0.29});
+    EXPECT_NEAR((spectrum_at(oblique, 1.0 + step_deg)[0] - 0.1) / step_deg, 0.01, 1e-6);
 }
 
 TEST(MeasuredSpectra, AStraightLineStaysOne) {

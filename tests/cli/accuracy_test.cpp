@@ -175,7 +175,8 @@ TEST(Plan, IsATableOfWhatWillBeBakedAndWritesNothing) {
     std::vector<std::string> absent;
     std::vector<std::string> errors;
     while (std::getline(lines, line)) {
-        EXPECT_LE(line.size(), 100U) << "fits a terminal";
+        // Notes of clamped picks are prose, which may wrap anywhere.
+        EXPECT_TRUE(line.size() <= 100 || line.starts_with("morpho: ")) << "does not fit a terminal: " << line;
         if (line.starts_with("not in "))
             absent.push_back(line);
         else if (line.starts_with("    ") && !absent.empty())

@@ -32,8 +32,10 @@ constexpr std::array<std::array<double, 6>, band_least_cos_theta.size()> probe_s
      {0.53, 0.47, 0.4, 0.34, 0.28, 0.23},
      {0.21, 0.17, 0.14, 0.11, 0.09, 0.07},
      {0.06, 0.045, 0.03, 0.02, 0.01, 0.005}}};
-// And at which facets' means are.
-constexpr std::array tilt_probe_sqrt_cos{1.0, 0.93, 0.84, 0.7, 0.5, 0.3, 0.1};
+// Facets' means are cheap, and differ most at grazing and where the colour of a facet bends: they are probed at so many
+// even steps, at some beside 0, and at bends.
+constexpr int tilt_probe_steps = 256;
+constexpr std::array grazing_sqrt_cos{0.0005, 0.001, 0.002};
 
 // How many tolerances a band may err by. In a film that stands free, light that grazes it runs to and fro so often that
 // no grid resolves its fringes: there an error falls only as they are hit by more nodes.
@@ -417,7 +419,15 @@ private:
     struct TiltProbe {
         double tilt_deg;
         std::shared_ptr<FacetColours> facets;
+        std::vector<double> sqrt_cos;  // at which the mean is looked at
     };
+    static std::vector<double> tilt_probe_places(const Mechanism& mechanism) {
+        std::vector<double> places(grazing_sqrt_cos.begin(), grazing_sqrt_cos.end());
+        for (int i = 0; i <= tilt_probe_steps; ++i) places.push_back(static_cast<double>(i) / tilt_probe_steps);
+        for (const double bend_deg : bends_deg(mechanism))
+            places.push_back(std::sqrt(std::max(Incidence::from_degrees(bend_deg).cos_theta, 0.0)));
+        return places;
+    }
     const std::vector<TiltProbe>& tilt_probes() {
         if (!tilt_probes_.empty()) return tilt_probes_;
         constexpr std::size_t most = 9;
@@ -431,9 +441,10 @@ private:
             mechanism.effects.tilt_deg = 0.0;
             if (!last || !(*last == mechanism)) {
                 last = mechanism;
-                tilt_probes_.push_back({tilt_deg, std::make_shared<FacetColours>(facets_of(mechanism))});
+                tilt_probes_.push_back(
+                    {tilt_deg, std::make_shared<FacetColours>(facets_of(mechanism)), tilt_probe_places(mechanism)});
             } else {
-                tilt_probes_.push_back({tilt_deg, tilt_probes_.back().facets});
+                tilt_probes_.push_back({tilt_deg, tilt_probes_.back().facets, tilt_probes_.back().sqrt_cos});
             }
         }
         return tilt_probes_;
@@ -452,7 +463,7 @@ private:
         Colours result;
         std::uint64_t& count = work_of(chosen_.work.effects, Effect::tilt).points;
         for (const TiltProbe& probe : tilt_probes()) {
-            for (const double s : tilt_probe_sqrt_cos)
+            for (const double s : probe.sqrt_cos)
                 result.push_back(adapt(job_.light->adaptation,
                                        probe.facets->mean(probe.tilt_deg, Incidence::from_sqrt_cos(s), count)));
             if (after_step_) after_step_();
@@ -463,7 +474,7 @@ private:
     double contribution_of_tilt() {
         Colours flat;
         for (const TiltProbe& probe : tilt_probes()) {
-            for (const double s : tilt_probe_sqrt_cos)
+            for (const double s : probe.sqrt_cos)
                 flat.push_back(adapt(job_.light->adaptation, probe.facets->colour().at(s)));
         }
         return largest_difference(flat, tilted());

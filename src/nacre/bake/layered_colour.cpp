@@ -247,7 +247,7 @@ LayeredSpectra::LayeredSpectra(const Mechanism& mechanism, std::span<const doubl
     for (const LayerSystem& system : systems) solvers_.emplace_back(system, wavelengths_nm);
     const Base* base = diffuse_base(mechanism.effects);
     if (base == nullptr) return;
-    constexpr int points = 24;
+    const int points = systems.size() > 1 ? 16 : 64;
     base_factors_ = base_factors(*base, systems, wavelengths_nm, points);
 }
 

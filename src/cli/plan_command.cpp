@@ -53,7 +53,7 @@ std::string error_line(const SettledTask& task) {
     const ErrorSplit& split = task.lut.predicted;
     std::vector<std::pair<double, std::string_view>> parts{
         {split.spectrum, "spectrum"},           {split.spread, "spread of thicknesses"},
-        {split.quadrature, "base and radii"},   {split.effects, "effects left out"},
+        {split.quadrature, "base, radii, slices"},   {split.effects, "effects left out"},
         {split.interpolation, "interpolation"}, {split.storage, "storage"}};
     std::stable_sort(parts.begin(), parts.end(),
                      [](const auto& one, const auto& other) { return one.first > other.first; });
@@ -89,6 +89,7 @@ nlohmann::ordered_json task_json(const SettledTask& task, double seconds) {
         json["nodes"] = job.sampling.node_counts();
     }
     if (job.sampling.realisations > 1) json["realisations"] = job.sampling.realisations;
+    if (std::holds_alternative<Crystal>(job.material.mechanism)) json["slices"] = job.sampling.slices;
     json["max_de00"] = nullptr;
     if (lut.wish.has_bound) json["max_de00"] = lut.wish.max_de00;
     json["predicted"] = nullptr;

@@ -168,7 +168,7 @@ void stack_in_s_light(benchmark::State& state) {
     Job job = decided(mechanism);
     job.sampling.nodes.fill(job.sampling.nodes.front());  // at all angles alike
     const SpectralNodes& nodes = *job.sampling.nodes.front();
-    const LayerSystem system = layer_systems(mechanism, 1).front();
+    const LayerSystem system = even_system(mechanism);
     const auto both = [&] {
         const MultilayerSolver solver(system, nodes.wavelength_nm);
         std::vector<Response> responses(nodes.wavelength_nm.size());

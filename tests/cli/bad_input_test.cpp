@@ -59,7 +59,7 @@ const std::vector<Mistake> mistakes{
      "bytes"},
     {"MisspeltBound", scene("[accuracy]\nmax_de2000 = 0.1\n"),
      ":5:1 [accuracy]: unknown key \"max_de2000\"; known: max_de00, wavelengths, integral, nodes, realisations, "
-     "effects, without, base_directions, radii, size"},
+     "effects, without, base_directions, radii, slices, size"},
     {"BoundOfNothing", scene("[accuracy]\nmax_de00 = 0\n"),
      ":5:12 [accuracy]: max_de00 = 0 is out of range; allowed [1e-05, 100]"},
     {"BoundThatIsNoNumber", scene("[accuracy]\nmax_de00 = \"small\"\n"),

@@ -34,7 +34,7 @@ double measured_share(const Job& job) {
     // What one colour takes, in units of a film's.
     double cost = 1.0;
     if (is_layered(mechanism)) {
-        const double layers = expanded_layers(layer_systems(mechanism, 1).front());
+        const double layers = expanded_layers(even_system(mechanism));
         const double fringes = fringe_count(mechanism, job.light->settings);
         cost = job.sampling.realisations * std::max(1.0, layers / 100.0) * std::max(1.0, fringes / 100.0);
     } else if (const auto* scatter = std::get_if<Scatter>(&mechanism)) {

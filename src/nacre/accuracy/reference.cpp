@@ -34,19 +34,19 @@ Xyz plus(const Xyz& sum, double factor, const Xyz& term) {
     return {sum.x + factor * term.x, sum.y + factor * term.y, sum.z + factor * term.z};
 }
 
-std::vector<Response> mean_responses(const std::vector<LayerSystem>& systems, const Incidence& incidence,
+std::vector<Response> mean_responses(const LayerEnsemble& ensemble, const Incidence& incidence,
                                      const std::vector<double>& wavelengths_nm, bool by_twin) {
     std::vector<Response> mean(wavelengths_nm.size());
     std::vector<Response> responses(wavelengths_nm.size());
-    const double share = 1.0 / static_cast<double>(systems.size());
-    for (const LayerSystem& system : systems) {
+    for (std::size_t member = 0; member < ensemble.systems.size(); ++member) {
+        const LayerSystem& system = ensemble.systems[member];
         if (by_twin) {
             for (std::size_t i = 0; i < responses.size(); ++i)
                 responses[i] = multilayer_response(system, incidence, wavelengths_nm[i]);
         } else {
             MultilayerSolver(system, wavelengths_nm).responses(incidence, responses);
         }
-        for (std::size_t i = 0; i < responses.size(); ++i) add(mean[i], share, responses[i]);
+        for (std::size_t i = 0; i < responses.size(); ++i) add(mean[i], ensemble.shares[member], responses[i]);
     }
     return mean;
 }
@@ -104,22 +104,21 @@ Xyz Reference::integral(const Lobe& lobe) const {
 
 // Evenly from all directions below: by the midpoint rule in the square of their cosine, graded towards the critical
 // angle, where reflection bends like a root.
-const std::vector<double>& Reference::base_table(const Mechanism& mechanism,
-                                                 const std::vector<LayerSystem>& systems) const {
+const std::vector<double>& Reference::base_table(const Mechanism& mechanism, const LayerEnsemble& ensemble) const {
     if (base_ && base_->first == mechanism) return base_->second;
     const LightSettings& light = job_.light->settings;
     std::vector<double> wavelengths_nm;
     for (int step = 0; step <= base_steps * (light.last_nm - light.first_nm); ++step)
         wavelengths_nm.push_back(light.first_nm + static_cast<double>(step) / base_steps);
     constexpr int directions = 48;
-    std::vector<LayerSystem> from_below;
-    for (const LayerSystem& system : systems) from_below.push_back(reversed(system));
-    const LayerSystem& first = from_below.front();
+    LayerEnsemble from_below{{}, ensemble.shares};
+    for (const LayerSystem& system : ensemble.systems) from_below.systems.push_back(reversed(system));
+    const LayerSystem& first = from_below.systems.front();
     const double ratio = first.index_at(first.substrate, 550.0).real() / first.index_at(first.incident, 550.0).real();
     const double critical = ratio < 1.0 ? (1.0 - ratio) * (1.0 + ratio) : 0.0;
     std::vector<double> reflected(wavelengths_nm.size());
     std::vector<double> passed(wavelengths_nm.size());
-    const bool by_twin = systems.size() == 1 && expanded_layers(first) <= 8.0;
+    const bool by_twin = ensemble.systems.size() == 1 && expanded_layers(first) <= 8.0;
     const auto add = [&](double begin, double end) {
         for (int i = 0; i < directions && begin != end; ++i) {
             // Quadratic steps away from `begin`.
@@ -146,11 +145,15 @@ const std::vector<double>& Reference::base_table(const Mechanism& mechanism,
 
 Xyz Reference::layered(const Mechanism& mechanism, const Incidence& incidence) const {
     const LightSettings& light = job_.light->settings;
+    constexpr int finer_slices = 3;
+    constexpr int enough_slices = 192;
     // What the bake did without has no realisations of the bake's.
     constexpr int enough_realisations = 256;
     const int realisations = job_.sampling.realisations > 1 ? job_.sampling.realisations : enough_realisations;
-    const std::vector<LayerSystem> systems = layer_systems(mechanism, realisations);
-    const std::vector<double>* base = has_diffuse_base(mechanism) ? &base_table(mechanism, systems) : nullptr;
+    const int had = job_.sampling.slices;
+    const int slices = std::min(finer_slices * had, std::max(had, enough_slices));
+    const LayerEnsemble ensemble = layer_ensemble(mechanism, realisations, {}, slices);
+    const std::vector<double>* base = has_diffuse_base(mechanism) ? &base_table(mechanism, ensemble) : nullptr;
     const auto seen = [&](const Response& response, double nm) {
         const Polarisation polarisation = mechanism.effects.polarisation;
         double reflectance = reflectance_of(response, polarisation);
@@ -172,7 +175,7 @@ Xyz Reference::layered(const Mechanism& mechanism, const Incidence& incidence) c
         const int parts = std::max(1, static_cast<int>(std::ceil(phase / phase_step)));
         for (int part = 0; part < parts; ++part) {
             // The mean over many uneven systems is smooth: there the middle of every nanometre does.
-            if (systems.size() >= 32) {
+            if (ensemble.systems.size() >= 32) {
                 wavelengths_nm.push_back(nm + (part + 0.5) / parts);
                 shares.push_back(1.0 / parts);
                 continue;
@@ -185,8 +188,9 @@ Xyz Reference::layered(const Mechanism& mechanism, const Incidence& incidence) c
         constexpr std::size_t enough = 1024;
         if (wavelengths_nm.size() < enough && nm + 1 < light.last_nm) continue;
         // Fringes by the million are for the fast road.
-        const bool is_plain = systems.size() == 1 && parts < 16 && expanded_layers(systems.front()) <= most_twin_layers;
-        const std::vector<Response> responses = mean_responses(systems, incidence, wavelengths_nm, is_plain);
+        const bool is_plain =
+            ensemble.systems.size() == 1 && parts < 16 && expanded_layers(ensemble.systems.front()) <= most_twin_layers;
+        const std::vector<Response> responses = mean_responses(ensemble, incidence, wavelengths_nm, is_plain);
         for (std::size_t i = 0; i < responses.size(); ++i)
             sum = plus(sum, shares[i] * seen(responses[i], wavelengths_nm[i]), weight_at(wavelengths_nm[i]));
         wavelengths_nm.clear();

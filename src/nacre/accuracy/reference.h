@@ -47,7 +47,7 @@ private:
     Xyz measured(const MeasuredSpectra& spectra, const Incidence& incidence) const;
     Xyz integral(const Lobe& lobe) const;
     Xyz weight_at(double nm) const;
-    const std::vector<double>& base_table(const Mechanism& mechanism, const std::vector<LayerSystem>& systems) const;
+    const std::vector<double>& base_table(const Mechanism& mechanism, const LayerEnsemble& ensemble) const;
 
     const Job& job_;
     std::vector<Xyz> weights_;  // per whole nanometre

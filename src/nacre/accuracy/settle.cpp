@@ -30,7 +30,7 @@ constexpr double share_of_nodes = 0.08;
 constexpr double share_of_curve = 0.005;
 // And the mean of an irregular stack, which converges slowly.
 constexpr double share_of_spread = 0.3;
-// And each of the other means: of directions below a base, of facets, of radii.
+// And each of the other sums: of directions below a base, of facets, of radii, of a crystal's slices.
 constexpr double share_of_quadrature = 0.04;
 
 // Points at which integrals are compared, and slices are laid through a 2D LUT.
@@ -127,7 +127,7 @@ private:
         const SpectralSampling& had = sample.sampling;
         const double bound = wish_.max_de00;
         sample.sampling = choose_sampling(sample, {share_of_nodes * bound, 0.0, share_of_quadrature * bound, 0.0},
-                                          {{}, had.realisations, {had.hemisphere, had.sizes}})
+                                          {{}, had.realisations, {had.hemisphere, had.sizes, had.slices}})
                               .sampling;
         const Image<Xyz> truth = bake(sample, {}, &result_.work);
         for (std::size_t i = 0; i < truth.size(); ++i) {

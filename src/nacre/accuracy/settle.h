@@ -16,7 +16,7 @@ struct ErrorSplit {
     double total = 0.0;          ///< not the sum: the worst points of the parts need not coincide
     double spectrum = 0.0;       ///< of how spectra become XYZ
     double spread = 0.0;         ///< of an irregular stack's mean: of how many realisations it is taken
-    double quadrature = 0.0;     ///< of a base's directions, of facets, of radii
+    double quadrature = 0.0;     ///< of a base's directions, of facets, of radii, of slices
     double effects = 0.0;        ///< of effects that are left out
     double interpolation = 0.0;  ///< of the linear filter between exact texels
     double storage = 0.0;        ///< of the number format, at the texels

@@ -36,7 +36,7 @@ struct Bends {
     std::vector<double> operator()(const Crystal&) const { return layered(); }
     std::vector<double> operator()(const Scatter&) const { return {}; }
     std::vector<double> operator()(const MeasuredSpectra& spectra) const { return spectra.angle_deg; }
-    std::vector<double> layered() const { return critical_angles_deg(layer_systems(mechanism, 1).front()); }
+    std::vector<double> layered() const { return critical_angles_deg(even_system(mechanism)); }
 };
 
 }  // namespace

@@ -17,7 +17,9 @@ namespace nacre {
 namespace {
 
 constexpr int fewest_nodes = 16;
-constexpr int fewest_realisations = 32;
+// What the mean over many uneven layers errs by falls as slowly as 1 / sqrt(count), so that the next two counts err as
+// well.
+constexpr double of_slow_means = 1.5;
 constexpr int realisations_for_nodes = 16;
 // Enough to see whether a spread of thicknesses counts at all.
 constexpr int realisations_of_a_look = 64;
@@ -45,6 +47,8 @@ constexpr std::array<double, band_least_cos_theta.size()> band_patience{1.0, 1.0
 constexpr double between_probes = 1.5;
 
 constexpr std::array hemisphere_points{3, 4, 6, 8, 12, 16, 24, 32, 48, 64};
+// Their error falls with their square, and the last of three next to each other is twice the first.
+constexpr std::array slice_counts{6, 8, 12, 16, 24, 32, 48, 64, 96, 128, 192, 256, 384, 512, 768, 1024};
 constexpr std::array size_points{4, 6, 8, 12, 16, 24, 32, 48, 64, 96, 128, 192, 256, 384, 512};
 
 // The next count that is worth trying: steps of a third or a quarter.
@@ -78,6 +82,7 @@ public:
         const EffectSet named = effects_in(job_);
         const bool is_spread_in_size = named.has(Effect::size_spread) && !chosen_.without.has(Effect::size_spread);
         if (is_spread_in_size) choose_sizes();
+        if (std::holds_alternative<Crystal>(job_.material.mechanism)) choose_slices();
         if (samples_spectra(job_.material.mechanism)) choose_all_nodes();
         look_at_effects(named);
         const auto is_in = [&](Effect effect) { return named.has(effect) && !chosen_.without.has(effect); };
@@ -218,7 +223,7 @@ private:
         double fringes = 0.0;
         for (const Probes& probes : bands_[band]) {
             if (!is_layered(probes.mechanism)) break;
-            const auto system = layer_systems(probes.mechanism, 1, chosen_.sampling.blurred).front();
+            const auto system = even_system(probes.mechanism, chosen_.sampling.blurred, chosen_.sampling.slices);
             fringes = std::max(fringes, fringe_count(system, job_.light->settings));
         }
         int count = fewest;
@@ -357,36 +362,68 @@ private:
     }
 
     void choose_realisations() {
-        SpectralSampling& sampling = chosen_.sampling;
-        const int wish = wish_.realisations;
-        sampling.realisations = wish > 0 ? wish : fewest_realisations;
-        Colours some = colours(0, sampling, chosen_.without);
-        for (;; sampling.realisations *= 2) {
-            SpectralSampling twice = sampling;
-            twice.realisations *= 2;
-            Colours more = colours(0, twice, chosen_.without);
-            chosen_.spread_error = largest_difference(some, more);
-            const bool is_enough = chosen_.spread_error <= tolerance_.spread;
-            const bool may_go_on = sampling.realisations < most_chosen_realisations && effort() < most_effort;
-            if (wish > 0 || is_enough || !may_go_on) return;
-            some = std::move(more);
+        const auto seen = [&](int count) {
+            SpectralSampling sampling = chosen_.sampling;
+            sampling.realisations = count;
+            Colours all = colours(0, sampling, chosen_.without);
+            if (bands_[1].empty()) return all;
+            const Colours oblique = colours(1, sampling, chosen_.without);
+            all.insert(all.end(), oblique.begin(), oblique.end());
+            return all;
+        };
+        const RealisationCounts counts = realisation_counts(bands_.front().front().mechanism);
+        const double least_factor = counts.converge_fast ? 1.0 : of_slow_means;
+        if (wish_.realisations > 0) {
+            chosen_.sampling.realisations = wish_.realisations;
+            chosen_.spread_error =
+                least_factor * largest_difference(seen(wish_.realisations), seen(2 * wish_.realisations));
+            return;
         }
+        const Choice choice = choose_points(counts.list, tolerance_.spread / least_factor, seen);
+        chosen_.sampling.realisations = choice.points;
+        chosen_.spread_error = least_factor * choice.error;
     }
 
-    // The first of a list that the next two agree with.
+    struct Choice {
+        int points;
+        double error;
+    };
+    // The first of a list that the next two agree with; the last but two, if none does.
     // @param seen  what is seen with a number of points
-    template <typename Points, std::size_t count>
-    Points choose_points(const std::array<Points, count>& list, const std::function<Colours(const Points&)>& seen) {
+    Choice choose_points(std::span<const int> list, double tolerance, const std::function<Colours(int)>& seen) {
         std::vector<Colours> tries;
         for (std::size_t i = 0;; ++i) {
             tries.push_back(seen(list[i]));
             if (i < 2) continue;
             const double error =
                 std::max(largest_difference(tries[i - 2], tries[i]), largest_difference(tries[i - 1], tries[i]));
-            if (error > tolerance_.quadrature && i + 1 < count && effort() < most_effort) continue;
-            chosen_.quadrature_error += error;
-            return list[i - 2];
+            if (error > tolerance && i + 1 < list.size() && effort() < most_effort) continue;
+            return {list[i - 2], error};
         }
+    }
+    // Of a sum whose error is the quadrature's.
+    int choose_quadrature(std::span<const int> list, const std::function<Colours(int)>& seen) {
+        const Choice choice = choose_points(list, tolerance_.quadrature, seen);
+        chosen_.quadrature_error += choice.error;
+        return choice.points;
+    }
+
+    // Before anything else of a crystal: with nodes that are enough to see what slices change.
+    void choose_slices() {
+        if (wish_.points.slices > 0) {
+            chosen_.sampling.slices = wish_.points.slices;
+            return;
+        }
+        constexpr int enough_nodes = 64;
+        const auto look = nodes(enough_nodes);
+        constexpr double of_squares = 4.0 / 3.0;
+        const Choice choice = choose_points(slice_counts, tolerance_.quadrature / of_squares, [&](int count) {
+            SpectralSampling sampling = with_nodes(look);
+            sampling.slices = count;
+            return colours(0, sampling);
+        });
+        chosen_.sampling.slices = choice.points;
+        chosen_.quadrature_error += of_squares * choice.error;
     }
 
     void choose_hemisphere() {
@@ -394,7 +431,7 @@ private:
             chosen_.sampling.hemisphere = wish_.points.hemisphere;
             return;
         }
-        chosen_.sampling.hemisphere = choose_points<int>(hemisphere_points, [&](const int& points) {
+        chosen_.sampling.hemisphere = choose_quadrature(hemisphere_points, [&](int points) {
             SpectralSampling sampling = chosen_.sampling;
             sampling.hemisphere = points;
             return colours(0, sampling, chosen_.without);
@@ -408,7 +445,7 @@ private:
             return;
         }
         const auto look = nodes(enough_nodes);
-        chosen_.sampling.sizes = choose_points<int>(size_points, [&](const int& points) {
+        chosen_.sampling.sizes = choose_quadrature(size_points, [&](int points) {
             SpectralSampling sampling = with_nodes(look);
             sampling.sizes = points;
             return colours(0, sampling);

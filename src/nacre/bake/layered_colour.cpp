@@ -5,17 +5,16 @@
 #include <utility>
 
 #include "nacre/optics/gauss_points.h"
-#include "nacre/optics/irregular.h"
 #include "nacre/optics/reversed.h"
 
 namespace nacre {
 namespace {
 
 // Without spread and base. @pre is_layered(mechanism)
-LayerSystem regular_system(const Mechanism& mechanism) {
+LayerSystem bare_system(const Mechanism& mechanism, int slices) {
     if (const auto* film = std::get_if<Film>(&mechanism)) return layer_system(*film);
     if (const auto* stack = std::get_if<Stack>(&mechanism)) return layer_system(*stack);
-    return layer_system(std::get<Crystal>(mechanism), crystal_slices);
+    return layer_system(std::get<Crystal>(mechanism), slices);
 }
 
 const MetalBase* metal_base(const Effects& effects) {
@@ -38,30 +37,21 @@ void add_metal(const MetalBase& base, LayerSystem& system) {
     system.substrate = static_cast<int>(system.media.size()) - 1;
 }
 
-// The standard normal's quantile by bisection of its distribution: this is asked a few hundred times.
-double normal_quantile(double share) {
-    double low = -9.0;
-    double high = 9.0;
-    while (high - low > 1e-14) {
-        const double middle = 0.5 * (low + high);
-        (0.5 * std::erfc(-middle / std::sqrt(2.0)) < share ? low : high) = middle;
-    }
-    return 0.5 * (low + high);
-}
-
 // Domains of a crystal: each is regular, and their spacings are a normal variable.
-std::vector<LayerSystem> crystal_domains(const Crystal& crystal, int count) {
-    std::vector<LayerSystem> systems;
+LayerEnsemble crystal_domains(const Crystal& crystal, int count, int slices) {
+    LayerEnsemble ensemble;
     const double spacing_nm = plane_spacing_nm(crystal);
-    for (int i = 0; i < count; ++i) {
-        const double deviation_nm = crystal.thickness_spread_nm * normal_quantile((i + 0.5) / count);
+    for (const GaussPoint& point : normal_points(count)) {
+        if (!(point.weight > 0.0)) continue;
+        const double deviation_nm = crystal.thickness_spread_nm * point.at;
         const double factor = std::max(spacing_nm + deviation_nm, 0.05 * spacing_nm) / spacing_nm;
         Crystal domain = crystal;
         domain.diameter_nm *= factor;
         domain.spacing_nm *= factor;
-        systems.push_back(layer_system(domain, crystal_slices));
+        ensemble.systems.push_back(layer_system(domain, slices));
+        ensemble.shares.push_back(point.weight);
     }
-    return systems;
+    return ensemble;
 }
 
 // Whether either of the materials that a medium is mixed of has a property.
@@ -95,29 +85,41 @@ bool is_irregular(const Mechanism& mechanism) {
     return spread_of(mechanism) > 0.0;
 }
 
-std::vector<LayerSystem> layer_systems(const Mechanism& mechanism, int realisations,
-                                       std::span<const std::size_t> blurred) {
-    LayerSystem regular = regular_system(mechanism);
-    // What lies below a thick layer is gone where those are left out.
-    for (const std::size_t node : blurred) {
-        if (node < regular.nodes.size()) regular.nodes[node].is_incoherent = true;
-    }
-    const double spread_nm = spread_of(mechanism);
-    std::vector<LayerSystem> systems;
-    if (spread_nm == 0.0 || realisations < 2) {
-        systems = {std::move(regular)};
-    } else if (const auto* crystal = std::get_if<Crystal>(&mechanism)) {
-        systems = crystal_domains(*crystal, realisations);
-    } else {
-        systems = irregular_systems(regular, spread_nm, realisations);
-    }
-    if (const MetalBase* metal = metal_base(mechanism.effects)) {
-        for (LayerSystem& system : systems) add_metal(*metal, system);
-    }
-    return systems;
+LayerSystem even_system(const Mechanism& mechanism, std::span<const std::size_t> blurred, int slices) {
+    return std::move(layer_ensemble(mechanism, 1, blurred, slices).systems.front());
 }
 
-std::vector<double> base_factors(const Base& base, const std::vector<LayerSystem>& systems,
+LayerEnsemble layer_ensemble(const Mechanism& mechanism, int realisations, std::span<const std::size_t> blurred,
+                             int slices) {
+    LayerSystem even = bare_system(mechanism, slices);
+    // What lies below a thick layer is gone where those are left out.
+    for (const std::size_t node : blurred) {
+        if (node < even.nodes.size()) even.nodes[node].is_incoherent = true;
+    }
+    const double spread_nm = spread_of(mechanism);
+    LayerEnsemble ensemble;
+    if (spread_nm == 0.0 || realisations < 2) {
+        ensemble = {{std::move(even)}, {1.0}};
+    } else if (const auto* crystal = std::get_if<Crystal>(&mechanism)) {
+        ensemble = crystal_domains(*crystal, realisations, slices);
+    } else {
+        ensemble = irregular_systems(even, spread_nm, realisations);
+    }
+    if (const MetalBase* metal = metal_base(mechanism.effects)) {
+        for (LayerSystem& system : ensemble.systems) add_metal(*metal, system);
+    }
+    return ensemble;
+}
+
+RealisationCounts realisation_counts(const Mechanism& mechanism) {
+    if (std::holds_alternative<Crystal>(mechanism)) return realisation_counts(1);
+    const LayerSystem uneven = layer_ensemble(mechanism, 2).systems.front();  // its repeats are written out
+    return realisation_counts(static_cast<std::size_t>(
+        std::count_if(uneven.nodes.begin(), uneven.nodes.end(),
+                      [](const LayerNode& node) { return node.repeat == 0 && !node.is_incoherent; })));
+}
+
+std::vector<double> base_factors(const Base& base, const LayerEnsemble& ensemble,
                                  std::span<const double> wavelengths_nm, int points, Work* work) {
     constexpr double any_nm = 550.0;
     const std::size_t count = wavelengths_nm.size();
@@ -125,9 +127,9 @@ std::vector<double> base_factors(const Base& base, const std::vector<LayerSystem
     std::vector<double> reflected(count, 0.0);  // of light that comes evenly from below
     std::vector<double> passed(count, 0.0);
     std::vector<Response> responses(count);
-    const double share = 1.0 / static_cast<double>(systems.size());
-    for (const LayerSystem& system : systems) {
-        const LayerSystem from_below = reversed(system);
+    for (std::size_t member = 0; member < ensemble.systems.size(); ++member) {
+        const double share = ensemble.shares[member];
+        const LayerSystem from_below = reversed(ensemble.systems[member]);
         const MultilayerSolver solver(from_below, wavelengths_nm);
         // Directions by the square of their cosine: then all of them count alike. Beyond the critical angle nothing
         // gets out.
@@ -165,26 +167,28 @@ std::vector<double> base_factors(const Base& base, const std::vector<LayerSystem
 LayeredColour::LayeredColour(const Mechanism& mechanism, SpectralSampling sampling)
     : sampling_(std::move(sampling)),
       effects_(mechanism.effects),
-      systems_(layer_systems(mechanism, sampling_.realisations, sampling_.blurred)) {}
+      ensemble_(layer_ensemble(mechanism, sampling_.realisations, sampling_.blurred, sampling_.slices)) {}
 
 LayeredColour::Band& LayeredColour::band_at(std::size_t index, Work* work) {
     Band& band = bands_[index];
     if (!band.solvers.empty()) return band;
     const SpectralNodes& nodes = *sampling_.nodes[index];
-    for (const LayerSystem& system : systems_) band.solvers.emplace_back(system, nodes.wavelength_nm);
+    for (const LayerSystem& system : ensemble_.systems) band.solvers.emplace_back(system, nodes.wavelength_nm);
     if (const Base* base = diffuse_base(effects_))
-        band.base_factors = base_factors(*base, systems_, nodes.wavelength_nm, sampling_.hemisphere, work);
+        band.base_factors = base_factors(*base, ensemble_, nodes.wavelength_nm, sampling_.hemisphere, work);
     return band;
 }
 
 Xyz LayeredColour::with_base(const Band& band, const SpectralNodes& nodes, const Incidence& incidence) const {
     std::vector<Response> responses(nodes.wavelength_nm.size());
     Xyz sum;
-    for (const MultilayerSolver& solver : band.solvers) {
-        solver.responses(incidence, responses);
+    for (std::size_t member = 0; member < band.solvers.size(); ++member) {
+        band.solvers[member].responses(incidence, responses);
+        const double share = ensemble_.shares[member];
         for (std::size_t i = 0; i < responses.size(); ++i) {
-            const double seen = reflectance_of(responses[i], effects_.polarisation) +
-                                transmittance_of(responses[i], effects_.polarisation) * band.base_factors[i];
+            const double seen =
+                share * (reflectance_of(responses[i], effects_.polarisation) +
+                         transmittance_of(responses[i], effects_.polarisation) * band.base_factors[i]);
             sum = {sum.x + seen * nodes.x[i], sum.y + seen * nodes.y[i], sum.z + seen * nodes.z[i]};
         }
     }
@@ -199,27 +203,27 @@ Xyz LayeredColour::at(const Incidence& incidence, Work* work) {
     if (!band.base_factors.empty()) {
         sum = with_base(band, nodes, incidence);
     } else {
-        for (const MultilayerSolver& solver : band.solvers) {
-            const auto [x, y, z] = solver.weighted_reflectances(
+        for (std::size_t member = 0; member < band.solvers.size(); ++member) {
+            const auto [x, y, z] = band.solvers[member].weighted_reflectances(
                 incidence, {nodes.x.data(), nodes.y.data(), nodes.z.data()}, effects_.polarisation);
-            sum = {sum.x + x, sum.y + y, sum.z + z};
+            const double share = ensemble_.shares[member];
+            sum = {sum.x + share * x, sum.y + share * y, sum.z + share * z};
         }
     }
     if (work != nullptr) count(nodes, *work);
-    const double share = 1.0 / static_cast<double>(systems_.size());
-    return {share * sum.x, share * sum.y, share * sum.z};
+    return sum;
 }
 
 void LayeredColour::count(const SpectralNodes& nodes, Work& work) const {
-    const auto spectra = static_cast<std::uint64_t>(systems_.size());
+    const auto spectra = static_cast<std::uint64_t>(ensemble_.systems.size());
     const auto samples = static_cast<std::uint64_t>(nodes.count) * spectra;
     ++work.spectra;
     work.samples += samples;
     if (effects_.polarisation == Polarisation::mean)
         work_of(work.effects, Effect::polarisation).polarisations += spectra;
-    if (systems_.size() > 1) work_of(work.effects, Effect::thickness_spread).spectra += spectra;
+    if (ensemble_.systems.size() > 1) work_of(work.effects, Effect::thickness_spread).spectra += spectra;
     if (effects_.base) ++work_of(work.effects, Effect::base).spectra;
-    const LayerSystem& system = systems_.front();
+    const LayerSystem& system = ensemble_.systems.front();
     std::uint64_t incoherent = 0;
     for (const LayerNode& node : system.nodes) {
         // Of the gap above a metal nothing counts but its index.
@@ -238,26 +242,26 @@ void LayeredColour::count(const SpectralNodes& nodes, Work& work) const {
 }
 
 std::uint64_t LayeredColour::samples(const Incidence& incidence) const {
-    return static_cast<std::uint64_t>(sampling_.nodes[band_of(incidence)]->count) * systems_.size();
+    return static_cast<std::uint64_t>(sampling_.nodes[band_of(incidence)]->count) * ensemble_.systems.size();
 }
 
 LayeredSpectra::LayeredSpectra(const Mechanism& mechanism, std::span<const double> wavelengths_nm, int realisations)
     : count_(wavelengths_nm.size()) {
-    const std::vector<LayerSystem> systems = layer_systems(mechanism, realisations);
-    for (const LayerSystem& system : systems) solvers_.emplace_back(system, wavelengths_nm);
+    const LayerEnsemble ensemble = layer_ensemble(mechanism, realisations, {}, spectrum_slices);
+    shares_ = ensemble.shares;
+    for (const LayerSystem& system : ensemble.systems) solvers_.emplace_back(system, wavelengths_nm);
     const Base* base = diffuse_base(mechanism.effects);
     if (base == nullptr) return;
-    const int points = systems.size() > 1 ? 16 : 64;
-    base_factors_ = base_factors(*base, systems, wavelengths_nm, points);
+    const int points = ensemble.systems.size() > 1 ? 16 : 64;
+    base_factors_ = base_factors(*base, ensemble, wavelengths_nm, points);
 }
 
 std::vector<Response> LayeredSpectra::at(const Incidence& incidence) const {
     std::vector<Response> mean(count_);
     std::vector<Response> one(count_);
-    const double share = 1.0 / static_cast<double>(solvers_.size());
-    for (const MultilayerSolver& solver : solvers_) {
-        solver.responses(incidence, one);
-        for (std::size_t i = 0; i < count_; ++i) add(mean[i], share, one[i]);
+    for (std::size_t member = 0; member < solvers_.size(); ++member) {
+        solvers_[member].responses(incidence, one);
+        for (std::size_t i = 0; i < count_; ++i) add(mean[i], shares_[member], one[i]);
     }
     for (std::size_t i = 0; i < base_factors_.size(); ++i) {
         mean[i].reflectance_s += mean[i].transmittance_s * base_factors_[i];

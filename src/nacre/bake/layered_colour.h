@@ -8,26 +8,35 @@
 #include "nacre/bake/work.h"
 #include "nacre/colour/colour_types.h"
 #include "nacre/optics/incidence.h"
+#include "nacre/optics/irregular.h"
 #include "nacre/optics/multilayer.h"
 
 namespace nacre {
 
-/// The layer systems whose mean is what layers show: one, or many of uneven ones. A metal base is part of them, below
-/// an incoherent layer of what was the substrate; any other base is not.
+/// The layer system of what is perfectly even. A metal base is part of it, below an incoherent layer of what was the
+/// substrate; any other base is not.
 /// @param blurred  nodes that are taken as incoherent
+/// @param slices   per plane of a crystal
 /// @pre is_layered(mechanism)
-std::vector<LayerSystem> layer_systems(const Mechanism& mechanism, int realisations,
-                                       std::span<const std::size_t> blurred = {});
+LayerSystem even_system(const Mechanism& mechanism, std::span<const std::size_t> blurred = {},
+                        int slices = default_slices);
 
-/// Slices per plane of a crystal: more of them change no colour by CIEDE2000 0.001.
-inline constexpr int crystal_slices = 24;
+/// The layer systems whose mean is what layers show: the even one alone, or many of uneven ones. A crystal's domains
+/// are regular, each with its own spacing.
+/// @param realisations  at most so many systems
+/// @pre is_layered(mechanism)
+LayerEnsemble layer_ensemble(const Mechanism& mechanism, int realisations, std::span<const std::size_t> blurred = {},
+                             int slices = default_slices);
+
+/// How many realisations are worth trying for an uneven mechanism. @pre is_layered(mechanism)
+RealisationCounts realisation_counts(const Mechanism& mechanism);
 
 /// What a diffuse base sends back of the light that has come through layers: the factor that their transmittance is
 /// multiplied by. With rho the base's reflectance, r the layers' reflectance from below and t their transmittance, both
 /// for light that comes evenly from all directions:  rho t / (1 - rho r).  Over a white base, layers that take nothing
 /// reflect everything.
 /// @param points  of the quadrature over directions, on either side of the critical angle
-std::vector<double> base_factors(const Base& base, const std::vector<LayerSystem>& systems,
+std::vector<double> base_factors(const Base& base, const LayerEnsemble& ensemble,
                                  std::span<const double> wavelengths_nm, int points, Work* work = nullptr);
 
 /// The colour of a film, stack or crystal, made ready to be asked at many angles.
@@ -52,9 +61,12 @@ private:
 
     SpectralSampling sampling_;
     Effects effects_;
-    std::vector<LayerSystem> systems_;
+    LayerEnsemble ensemble_;
     std::array<Band, band_least_cos_theta.size()> bands_;
 };
+
+/// Per plane of a crystal, wherever single reflectances are asked for: they err by some 1e-4.
+inline constexpr int spectrum_slices = 96;
 
 /// What becomes of light at some wavelengths, for many angles; the mean over realisations of uneven layers. Nothing
 /// passes a base.
@@ -67,6 +79,7 @@ public:
 
 private:
     std::size_t count_;
+    std::vector<double> shares_;             // of each solver
     std::vector<MultilayerSolver> solvers_;  // one per realisation
     std::vector<double> base_factors_;       // none: no diffuse base
 };

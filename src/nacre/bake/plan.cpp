@@ -250,6 +250,8 @@ std::string integration_text(const Job& job) {
         return std::string(name_of(integral_words, job.integral));
     std::string text = is_sampled ? nodes_text(job) : "exact";
     if (job.sampling.realisations > 1) text += " x " + std::to_string(job.sampling.realisations);
+    if (is_sampled && std::holds_alternative<Crystal>(mechanism))
+        text += " x " + std::to_string(job.sampling.slices) + " slices";
     if (job.sampling.sizes > 1) text += " x " + std::to_string(job.sampling.sizes) + " radii";
     return text;
 }

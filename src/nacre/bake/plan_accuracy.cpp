@@ -11,6 +11,7 @@ constexpr Allowed allowed_nodes{8, most_nodes};
 constexpr Allowed allowed_realisations{2, 16384};
 constexpr Allowed allowed_directions{2, 256};
 constexpr Allowed allowed_radii{2, 4096};
+constexpr Allowed allowed_slices{2, 1024};
 
 // One number, or one per band of angles.
 NodeCounts read_nodes(const Table& table, const Value& value) {
@@ -48,6 +49,7 @@ void read_effect_wishes(const Table& table, AccuracySettings& accuracy) {
     }
     accuracy.points.hemisphere = table.integer_or("base_directions", allowed_directions, 0);
     accuracy.points.sizes = table.integer_or("radii", allowed_radii, 0);
+    accuracy.points.slices = table.integer_or("slices", allowed_slices, 0);
 }
 
 }  // namespace

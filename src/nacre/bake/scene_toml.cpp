@@ -9,6 +9,8 @@ std::string sampling_toml(const Job& job) {
     std::string text;
     const SpectralSampling& sampling = job.sampling;
     if (sampling.realisations > 1) text += "realisations = " + std::to_string(sampling.realisations) + "\n";
+    if (std::holds_alternative<Crystal>(job.material.mechanism))
+        text += "slices = " + std::to_string(sampling.slices) + "\n";
     const EffectSet effects = effects_in(job);
     if (effects.is_empty()) return text;
     const auto is_in = [&](Effect effect) { return effects.has(effect) && !job.without.has(effect); };

@@ -27,7 +27,7 @@ bool samples_spectra(const Mechanism& mechanism) {
 }
 
 double fringe_count(const Mechanism& mechanism, const LightSettings& light) {
-    return is_layered(mechanism) ? fringe_count(layer_systems(mechanism, 1).front(), light) : 0.0;
+    return is_layered(mechanism) ? fringe_count(even_system(mechanism), light) : 0.0;
 }
 
 namespace {
@@ -45,7 +45,7 @@ double effort_per_sample(const Mechanism& mechanism) {
     constexpr double of_a_layer = 0.25;
     constexpr double of_a_line = 4.0;  // a grating's, within one nanometre
     // Of uneven layers two are asked for, because then none of them repeats.
-    if (is_layered(mechanism)) return 1.0 + of_a_layer * solved_layers(layer_systems(mechanism, 2).front());
+    if (is_layered(mechanism)) return 1.0 + of_a_layer * solved_layers(layer_ensemble(mechanism, 2).systems.front());
     return std::holds_alternative<Grating>(mechanism) ? of_a_line : 1.0;
 }
 

@@ -26,6 +26,8 @@ using NodeCounts = std::array<int, band_least_cos_theta.size()>;
 std::size_t band_of(const Incidence& incidence);
 
 /// How colours that are no closed form are computed: where spectra are sampled, and how effects that are integrals are.
+inline constexpr int default_slices = 24;
+
 struct SpectralSampling {
     std::array<std::shared_ptr<const SpectralNodes>, band_least_cos_theta.size()> nodes;  ///< null: not decided
     int realisations = 1;  ///< of uneven layers: layer systems whose mean is taken
@@ -36,6 +38,7 @@ struct SpectralSampling {
     std::shared_ptr<const XyzCurve> facets;
     int hemisphere = 8;  ///< directions of light below layers with a base, on either side of the critical angle
     int sizes = 1;       ///< radii of spheres
+    int slices = default_slices;  ///< of a crystal's period, in each of which its index is even
 
     bool is_decided() const { return nodes.front() != nullptr; }
     /// 0 in all bands if not decided.
@@ -46,6 +49,7 @@ struct SpectralSampling {
 struct QuadratureWish {
     int hemisphere = 0;
     int sizes = 0;
+    int slices = 0;
 };
 
 /// Whether a mechanism's spectra are sampled at nodes: only then is there anything of a SpectralSampling to decide.
@@ -82,7 +86,7 @@ struct ChosenSampling {
     EffectSet without;                  ///< of these, what is left out
     double error = 0.0;                 ///< of the nodes
     double spread_error = 0.0;          ///< of how many realisations uneven layers have
-    double quadrature_error = 0.0;      ///< of base and radii together
+    double quadrature_error = 0.0;      ///< of base, radii and slices together
     double effects_error = 0.0;         ///< of what is left out, together
     Work work;                          ///< that choosing took
 };
@@ -115,8 +119,6 @@ struct SamplingWish {
 /// @param after_step  called every few colours; what it throws ends the choice
 ChosenSampling choose_sampling(const Job& job, const SamplingTolerance& tolerance, const SamplingWish& wish = {},
                                const std::function<void()>& after_step = {});
-
-inline constexpr int most_chosen_realisations = 512;
 
 /// Good for anything that is looked at: CIEDE2000 0.001, and 0.1 for the mean of uneven layers; every effect.
 SpectralSampling default_sampling(const Job& job);

@@ -80,7 +80,7 @@ std::vector<std::size_t> thick_layers(const Job& job, double tolerance) {
     if (!job.x.is_angle() || (job.y && !job.y->is_angle())) return {};
     const Mechanism& mechanism = job.material.mechanism;
     const Light& light = *job.light;
-    const LayerSystem system = layer_systems(mechanism, 1).front();
+    const LayerSystem system = even_system(mechanism);
     std::vector<std::size_t> thick = candidates(system, light.settings);
     if (thick.empty()) return {};
 

@@ -1,16 +1,23 @@
 #include "nacre/optics/irregular.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <numbers>
 #include <numeric>
 #include <utility>
 
+#include "nacre/optics/gauss_points.h"
+
 namespace nacre {
 namespace {
 
-// A normal variable of variance 1 at every point. Only one of each mirrored pair is kept.
+// Beyond, a grid has too many points.
+constexpr std::size_t most_grid_layers = 3;
+constexpr int least_grid_points = 4;
+
+// A normal variable of variance 1 at every point.
 using Variable = std::vector<double>;
 
 void expand(const std::vector<LayerNode>& nodes, std::size_t begin, std::size_t end, std::vector<LayerNode>& layers) {
@@ -58,7 +65,7 @@ std::vector<double> positive_strata(std::size_t count) {
     return middles;
 }
 
-// The sequence decides which point gets which stratum, and on which side. That the strata are all there is more even
+// Of each mirrored pair of points one. The sequence decides which point gets which stratum, and on which side. That the strata are all there is more even
 // than the sequence by itself, and needs quantiles once instead of once per layer.
 Variable stratified(double root, const std::vector<double>& strata) {
     std::vector<double> from_middle;
@@ -109,9 +116,79 @@ void decorrelate(std::vector<Variable>& variables) {
     }
 }
 
+// Where the moving layers have their points: one variable per layer, and a point's share.
+struct Points {
+    std::vector<Variable> variables;
+    std::vector<double> shares;
+};
+
+// The largest n with n^power <= count.
+int root_of(int count, std::size_t power) {
+    int root = static_cast<int>(std::lround(std::pow(count, 1.0 / static_cast<double>(power))));
+    while (std::pow(root, power) > count) --root;
+    return root;
+}
+
+// @pre layers in [1, 3]
+Points grid_points(std::size_t layers, int per_layer) {
+    // Corners that hardly anything is at.
+    constexpr double negligible_share = 1e-10;
+    const std::vector<GaussPoint> rule = normal_points(per_layer);
+    Points points;
+    points.variables.resize(layers);
+    double total = 0.0;
+    std::size_t count = 1;
+    for (std::size_t layer = 0; layer < layers; ++layer) count *= rule.size();
+    for (std::size_t i = 0; i < count; ++i) {
+        double share = 1.0;
+        std::array<double, most_grid_layers> at{};
+        std::size_t rest = i;
+        for (std::size_t layer = 0; layer < layers; ++layer, rest /= rule.size()) {
+            const GaussPoint& point = rule[rest % rule.size()];
+            at[layer] = point.at;
+            share *= point.weight;
+        }
+        if (share < negligible_share) continue;
+        for (std::size_t layer = 0; layer < layers; ++layer) points.variables[layer].push_back(at[layer]);
+        points.shares.push_back(share);
+        total += share;
+    }
+    for (double& share : points.shares) share /= total;
+    return points;
+}
+
+Points sequence_points(std::size_t layers, int count) {
+    const auto pairs = static_cast<std::size_t>(count / 2);
+    const std::vector<double> strata = positive_strata(pairs);
+    std::vector<Variable> half;
+    for (const double root : roots_of_primes(layers)) half.push_back(stratified(root, strata));
+    decorrelate(half);
+    Points points;
+    for (const Variable& variable : half) {
+        Variable& both = points.variables.emplace_back();
+        for (const double value : variable) both.insert(both.end(), {value, -value});
+    }
+    points.shares.assign(2 * pairs, 1.0 / (2.0 * static_cast<double>(pairs)));
+    return points;
+}
+
 }  // namespace
 
-std::vector<LayerSystem> irregular_systems(const LayerSystem& regular, double spread_nm, int count) {
+RealisationCounts realisation_counts(std::size_t layers) {
+    switch (layers) {
+        case 0:
+        case 1:
+            return {{4, 6, 8, 12, 16, 24, 32, 48, 64, 96, 128, 192, 256, 384, 512}, true};
+        case 2:
+            return {{16, 36, 64, 100, 144, 256, 400, 576, 1024}, true};
+        case 3:
+            return {{64, 216, 512, 1000, 1728}, true};
+        default:
+            return {{16, 32, 64, 128, 256, 512, 1024, 2048, 4096}, false};
+    }
+}
+
+LayerEnsemble irregular_systems(const LayerSystem& regular, double spread_nm, int count) {
     LayerSystem expanded = regular;
     expanded.nodes.clear();
     expand(regular.nodes, 0, regular.nodes.size(), expanded.nodes);
@@ -119,24 +196,22 @@ std::vector<LayerSystem> irregular_systems(const LayerSystem& regular, double sp
     for (std::size_t i = 0; i < expanded.nodes.size(); ++i) {
         if (!expanded.nodes[i].is_incoherent) moving.push_back(i);
     }
-    const auto pairs = static_cast<std::size_t>(count / 2);
-    const std::vector<double> strata = positive_strata(pairs);
-    std::vector<Variable> normal;
-    for (const double root : roots_of_primes(moving.size())) normal.push_back(stratified(root, strata));
-    decorrelate(normal);
+    const bool has_grid = !moving.empty() && moving.size() <= most_grid_layers &&
+                          (moving.size() == 1 || root_of(count, moving.size()) >= least_grid_points);
+    const Points points = has_grid ? grid_points(moving.size(), root_of(count, moving.size()))
+                                   : sequence_points(moving.size(), count);
 
-    std::vector<LayerSystem> systems;
-    systems.reserve(2 * pairs);
-    for (std::size_t pair = 0; pair < pairs; ++pair) {
-        for (const double side : {1.0, -1.0}) {
-            systems.push_back(expanded);
-            for (std::size_t layer = 0; layer < moving.size(); ++layer) {
-                double& thickness_nm = systems.back().nodes[moving[layer]].thickness_nm;
-                thickness_nm = std::max(thickness_nm + side * spread_nm * normal[layer][pair], 0.0);
-            }
+    LayerEnsemble ensemble;
+    ensemble.shares = points.shares;
+    ensemble.systems.reserve(points.shares.size());
+    for (std::size_t point = 0; point < points.shares.size(); ++point) {
+        LayerSystem& system = ensemble.systems.emplace_back(expanded);
+        for (std::size_t layer = 0; layer < moving.size(); ++layer) {
+            double& thickness_nm = system.nodes[moving[layer]].thickness_nm;
+            thickness_nm = std::max(thickness_nm + spread_nm * points.variables[layer][point], 0.0);
         }
     }
-    return systems;
+    return ensemble;
 }
 
 }  // namespace nacre

@@ -9,15 +9,24 @@ namespace nacre {
 /// Layer systems whose mean is what an irregular stack shows: every layer's thickness is a normal variable of its own,
 /// with the standard deviation `spread_nm` around its nominal value, and never below 0.
 ///
-/// An integral over as many variables as there are layers. It is taken with a fixed set of points, so nothing is noisy:
-/// Richtmyer's sequence (multiples of the roots of primes), one variable per layer, stratified so that every layer by
+/// An integral over as many variables as there are layers. It is taken with a fixed set of points, so nothing is noisy.
+/// Up to three layers have a grid of normal_points(), if `count` affords four along each: then more points help as they
+/// do in any smooth integral. More layers have Richtmyer's sequence (multiples of the roots of primes), one variable per layer, stratified so that every layer by
 /// itself is spread evenly; every point with its mirror image, so that odd orders cancel; and layers made uncorrelated,
 /// so that second orders are exact too, as long as there are not more layers than count / 2. Whatever is a polynomial
 /// of third degree in the thicknesses is then integrated exactly (moment matching: Barraquand 1995, Management Science
 /// 41, 1882-1891). What is left falls as 1 / sqrt(count), or faster for a few layers, and is small to begin with.
 ///
 /// Repeats are written out. Incoherent layers stay as they are.
-/// @param count  even, >= 2
-std::vector<LayerSystem> irregular_systems(const LayerSystem& regular, double spread_nm, int count);
+/// @param count  at most so many systems (a grid takes the largest power that fits); even, >= 2
+LayerEnsemble irregular_systems(const LayerSystem& regular, double spread_nm, int count);
+
+/// Counts that are worth trying.
+struct RealisationCounts {
+    std::vector<int> list;       ///< ascending, at least three
+    bool converge_fast = false;  ///< whether they make grids
+};
+/// @param layers  that are uneven, each on its own
+RealisationCounts realisation_counts(std::size_t layers);
 
 }  // namespace nacre

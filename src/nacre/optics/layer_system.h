@@ -44,6 +44,12 @@ struct LayerSystem {
 /// Layers after all repeats. Counts in double, so that no repeat overflows.
 double expanded_layers(const LayerSystem& system);
 
+/// Layer systems that are seen together: what they show is their mean. A perfect one is alone.
+struct LayerEnsemble {
+    std::vector<LayerSystem> systems;
+    std::vector<double> shares;  ///< as many, each > 0; their sum is 1
+};
+
 /// Writes a LayerSystem down layer by layer; equal materials and media share an entry.
 class LayerSystemBuilder {
 public:

@@ -222,7 +222,7 @@ TEST(Base, LosesBelowAFaceOfGlassWhatJuddsTableSays) {
     const Mechanism glass = Film{1.0, 1.5, 0.0, 1.5, 0.0};
     for (const double rho : {0.1, 0.5, 0.9}) {
         const double nm = 555.0;
-        const auto factors = base_factors(GreyBase{rho}, layer_systems(glass, 1), {&nm, 1}, 64);
+        const auto factors = base_factors(GreyBase{rho}, layer_ensemble(glass, 1), {&nm, 1}, 64);
         // Four digits of the table.
         EXPECT_NEAR(factors.front(), rho * (1.0 - inside) / (1.0 - rho * inside), 1e-4) << rho;
         // Seen from above at the normal: Fresnel's 4 % of it on top.

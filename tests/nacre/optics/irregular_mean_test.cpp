@@ -47,12 +47,13 @@ Colour colour_of(const Spectrum& reflectance) {
 }
 
 Colour irregular_colour(const LayerSystem& regular, double spread_nm, int count, double theta_deg) {
-    const std::vector<LayerSystem> systems = irregular_systems(regular, spread_nm, count);
+    const LayerEnsemble ensemble = irregular_systems(regular, spread_nm, count);
     return colour_of([&](double nm) {
         double sum = 0.0;
-        for (const LayerSystem& system : systems)
-            sum += multilayer_response(system, Incidence::from_degrees(theta_deg), nm).reflectance();
-        return sum / count;
+        for (std::size_t i = 0; i < ensemble.systems.size(); ++i)
+            sum += ensemble.shares[i] *
+                   multilayer_response(ensemble.systems[i], Incidence::from_degrees(theta_deg), nm).reflectance();
+        return sum;
     });
 }
 

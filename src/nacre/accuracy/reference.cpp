@@ -146,12 +146,12 @@ const std::vector<double>& Reference::base_table(const Mechanism& mechanism, con
 Xyz Reference::layered(const Mechanism& mechanism, const Incidence& incidence) const {
     const LightSettings& light = job_.light->settings;
     constexpr int finer_slices = 3;
-    constexpr int enough_slices = 192;
+    constexpr int enough_slices = 96;
     // What the bake did without has no realisations of the bake's.
     constexpr int enough_realisations = 256;
     const int realisations = job_.sampling.realisations > 1 ? job_.sampling.realisations : enough_realisations;
     const int had = job_.sampling.slices;
-    const int slices = std::min(finer_slices * had, std::max(had, enough_slices));
+    const int slices = std::max(had, std::min(finer_slices * had, enough_slices));
     const LayerEnsemble ensemble = layer_ensemble(mechanism, realisations, {}, slices);
     const std::vector<double>* base = has_diffuse_base(mechanism) ? &base_table(mechanism, ensemble) : nullptr;
     const auto seen = [&](const Response& response, double nm) {

@@ -47,8 +47,7 @@ constexpr std::array<double, band_least_cos_theta.size()> band_patience{1.0, 1.0
 constexpr double between_probes = 1.5;
 
 constexpr std::array hemisphere_points{3, 4, 6, 8, 12, 16, 24, 32, 48, 64};
-// Their error falls with their square, and the last of three next to each other is twice the first.
-constexpr std::array slice_counts{6, 8, 12, 16, 24, 32, 48, 64, 96, 128, 192, 256, 384, 512, 768, 1024};
+constexpr std::array slice_counts{8, 12, 16, 20, 24, 32, 48, 64, 96, 128, 192, 256, 384, 512};
 constexpr std::array size_points{4, 6, 8, 12, 16, 24, 32, 48, 64, 96, 128, 192, 256, 384, 512};
 
 // The next count that is worth trying: steps of a third or a quarter.
@@ -416,14 +415,11 @@ private:
         }
         constexpr int enough_nodes = 64;
         const auto look = nodes(enough_nodes);
-        constexpr double of_squares = 4.0 / 3.0;
-        const Choice choice = choose_points(slice_counts, tolerance_.quadrature / of_squares, [&](int count) {
+        chosen_.sampling.slices = choose_quadrature(slice_counts, [&](int count) {
             SpectralSampling sampling = with_nodes(look);
             sampling.slices = count;
             return colours(0, sampling);
         });
-        chosen_.sampling.slices = choice.points;
-        chosen_.quadrature_error += of_squares * choice.error;
     }
 
     void choose_hemisphere() {

@@ -65,7 +65,7 @@ private:
     std::array<Band, band_least_cos_theta.size()> bands_;
 };
 
-/// Per plane of a crystal, wherever single reflectances are asked for: they err by some 1e-4.
+/// Per plane of a crystal, wherever single reflectances are asked for.
 inline constexpr int spectrum_slices = 96;
 
 /// What becomes of light at some wavelengths, for many angles; the mean over realisations of uneven layers. Nothing

@@ -11,7 +11,7 @@ constexpr Allowed allowed_nodes{8, most_nodes};
 constexpr Allowed allowed_realisations{2, 16384};
 constexpr Allowed allowed_directions{2, 256};
 constexpr Allowed allowed_radii{2, 4096};
-constexpr Allowed allowed_slices{2, 1024};
+constexpr Allowed allowed_slices{4, 1024};
 
 // One number, or one per band of angles.
 NodeCounts read_nodes(const Table& table, const Value& value) {
@@ -49,7 +49,10 @@ void read_effect_wishes(const Table& table, AccuracySettings& accuracy) {
     }
     accuracy.points.hemisphere = table.integer_or("base_directions", allowed_directions, 0);
     accuracy.points.sizes = table.integer_or("radii", allowed_radii, 0);
-    accuracy.points.slices = table.integer_or("slices", allowed_slices, 0);
+    if (const Value* slices = table.find("slices")) {
+        accuracy.points.slices = table.checked_integer("slices", *slices, allowed_slices);
+        if (accuracy.points.slices % 4 != 0) table.fail(slices->where, "slices come in fours; give 4, 8, 12, ...");
+    }
 }
 
 }  // namespace

@@ -110,18 +110,26 @@ RefractiveIndex effective_index(const Crystal& crystal, double wavelength_nm) {
 
 // A period begins and ends half-way between planes of centres, so that it is the same from either side.
 LayerSystem layer_system(const Crystal& crystal, int slices) {
-    assert(crystal.diameter_nm > 0.0 && crystal.planes >= 1 && slices >= 2);
+    assert(crystal.diameter_nm > 0.0 && crystal.planes >= 1 && slices >= 4 && slices % 4 == 0);
     const double spacing_nm = plane_spacing_nm(crystal);
+    std::vector<double> shares;
+    for (int i = 0; i < slices / 2; i += 2) {
+        const double from_nm = spacing_nm * (static_cast<double>(i) / slices - 0.5);
+        const double step_nm = spacing_nm / slices;
+        const double first = mean_share(crystal, from_nm, from_nm + step_nm);
+        const double second = mean_share(crystal, from_nm + step_nm, from_nm + 2.0 * step_nm);
+        const double mean = 0.5 * (first + second);
+        // A slope's first moment is 4/3 of that of the steps which have its means (see crystal.h).
+        const double room = std::min(mean, 1.0 - mean);
+        const double off = std::clamp(4.0 / 3.0 * 0.5 * (second - first), -room, room);
+        shares.insert(shares.end(), {mean - off, mean + off});
+    }
+    // The upper half's shares for the lower too: to the bit, so that the media are the same.
+    for (std::size_t i = shares.size(); i-- > 0;) shares.push_back(shares[i]);
     LayerSystemBuilder builder(crystal.incident, crystal.substrate);
     builder.begin_group(crystal.planes);
-    for (int i = 0; i < slices; ++i) {
-        // The upper half's shares for the lower too: to the bit, so that the media are the same.
-        const int mirrored = std::min(i, slices - 1 - i);
-        const double from_nm = spacing_nm * (static_cast<double>(mirrored) / slices - 0.5);
-        const double to_nm = spacing_nm * (static_cast<double>(mirrored + 1) / slices - 0.5);
-        const double share = mean_share(crystal, from_nm, to_nm);
+    for (const double share : shares)
         builder.graded_layer(crystal.medium, crystal.sphere, share, spacing_nm / slices, Mixing::permittivity);
-    }
     builder.end_group();
     return builder.take();
 }

@@ -47,7 +47,7 @@ TEST(Crystal, TouchingSpheresFillPiOverTheRootOfEighteen) {
     // Gauss 1831: the densest packing. The layers hold as much, however many there are.
     const Crystal crystal = crystal_of(1.45, 1.0);
     EXPECT_NEAR(plane_spacing_nm(crystal), 270.0 * std::sqrt(2.0 / 3.0), 1e-12);
-    for (const int slices : {2, 3, 7, 8, 31, 100})
+    for (const int slices : {4, 8, 12, 32, 100})
         EXPECT_NEAR(mean(shares_of(crystal, slices)), pi / std::sqrt(18.0), 1e-14) << slices;
     const double n2 = 1.0 + pi / std::sqrt(18.0) * (1.45 * 1.45 - 1.0);
     EXPECT_NEAR(effective_index(crystal, 550.0).real(), std::sqrt(n2), 1e-15);
@@ -58,7 +58,7 @@ TEST(Crystal, PlanesFurtherApartHoldLess) {
     for (const double spacing_nm : {230.0, 260.0, 300.0, 500.0}) {
         const Crystal crystal = crystal_of(1.45, 1.0, spacing_nm);
         const double cell = 0.5 * std::sqrt(3.0) * 270.0 * 270.0 * spacing_nm;
-        for (const int slices : {5, 12}) {
+        for (const int slices : {8, 12}) {
             EXPECT_NEAR(mean(shares_of(crystal, slices)), pi / 6.0 * std::pow(270.0, 3) / cell, 1e-14)
                 << spacing_nm << " " << slices;
         }
@@ -115,10 +115,10 @@ TEST(Crystal, ProfileRepeatsAndIsTheSameUpwardsAndDownwards) {
             EXPECT_NEAR(sphere_share(crystal, z_nm), sphere_share(crystal, z_nm + 3.0 * period_nm), 1e-12);
             EXPECT_LE(sphere_share(crystal, z_nm), 1.0);
         }
-        const LayerSystem system = layer_system(crystal, 11);
-        ASSERT_EQ(system.nodes.size(), 12u);
+        const LayerSystem system = layer_system(crystal, 12);
+        ASSERT_EQ(system.nodes.size(), 13u);
         EXPECT_EQ(system.nodes[0].repeat, 60);
-        for (std::size_t i = 1; i <= 11; ++i) EXPECT_EQ(system.nodes[i], system.nodes[12 - i]) << i;
+        for (std::size_t i = 1; i <= 12; ++i) EXPECT_EQ(system.nodes[i], system.nodes[13 - i]) << i;
     }
     // The largest circle of touching spheres: of a hexagonal packing of discs.
     EXPECT_NEAR(sphere_share(crystal_of(1.45, 1.0), 0.0), pi / std::sqrt(12.0), 1e-15);
@@ -127,19 +127,25 @@ TEST(Crystal, ProfileRepeatsAndIsTheSameUpwardsAndDownwards) {
 TEST(Crystal, WhatOverlapsFillsAtMostEverything) {
     for (const double spacing_nm : {40.0, 120.0, 145.0, 170.0, 190.0}) {
         const Crystal crystal = crystal_of(1.45, 1.0, spacing_nm);
-        const int slices = 9;
-        const std::vector<double> shares = shares_of(crystal, slices);
+        // Two slices have one mean.
+        const int pairs = 10;
+        const std::vector<double> shares = shares_of(crystal, 2 * pairs);
         bool is_full_somewhere = false;
-        for (int i = 0; i < slices; ++i) {
+        for (int i = 0; i < pairs; ++i) {
             constexpr int points = 4000;
             double sum = 0.0;
             for (int j = 0; j < points; ++j) {
-                const double z_nm = spacing_nm * ((i + (j + 0.5) / points) / slices - 0.5);
+                const double z_nm = spacing_nm * ((i + (j + 0.5) / points) / pairs - 0.5);
                 sum += sphere_share(crystal, z_nm) / points;
                 is_full_somewhere = is_full_somewhere || sphere_share(crystal, z_nm) == 1.0;
             }
             // The midpoint rule, with a bend or two: a part in 4000, squared.
-            EXPECT_NEAR(shares[static_cast<std::size_t>(i)], sum, 3e-8) << spacing_nm << " " << i;
+            const auto first = 2 * static_cast<std::size_t>(i);
+            EXPECT_NEAR(0.5 * (shares[first] + shares[first + 1]), sum, 3e-8) << spacing_nm << " " << i;
+            for (const double share : {shares[first], shares[first + 1]}) {
+                EXPECT_GE(share, 0.0);
+                EXPECT_LE(share, 1.0);
+            }
         }
         EXPECT_EQ(is_full_somewhere, spacing_nm < 180.0);
     }
@@ -154,7 +160,7 @@ TEST(Crystal, WithoutContrastItIsASlab) {
     const LayerSystem slab_system = slab.take();
     for (const double theta_deg : {0.0, 35.0, 80.0}) {
         const Incidence incidence = Incidence::from_degrees(theta_deg);
-        const Response one = multilayer_response(layer_system(crystal, 10), incidence, 550.0);
+        const Response one = multilayer_response(layer_system(crystal, 12), incidence, 550.0);
         const Response other = multilayer_response(slab_system, incidence, 550.0);
         EXPECT_NEAR(one.reflectance_s, other.reflectance_s, 1e-13) << theta_deg;
         EXPECT_NEAR(one.reflectance_p, other.reflectance_p, 1e-13) << theta_deg;
@@ -232,7 +238,7 @@ TEST(Crystal, OfLittleContrastReflectsAsCoupledWavesDo) {
     }
 }
 
-TEST(Crystal, ConvergesWithTheSquareOfASlice) {
+TEST(Crystal, ConvergesFasterThanWithTheSquareOfASlice) {
     Crystal crystal = crystal_of(1.45, 1.0);
     crystal.planes = 20;
     const auto reflectance = [&](int slices) {
@@ -251,9 +257,9 @@ TEST(Crystal, ConvergesWithTheSquareOfASlice) {
             largest = std::max(largest, std::abs(responses[i].reflectance() - limit[i].reflectance()));
         return largest;
     };
-    EXPECT_LT(worst(16), 0.03);
-    EXPECT_LT(worst(64), worst(16) / 10.0) << "16, and a little for the limit's own slices";
-    EXPECT_LT(worst(128), worst(16) / 40.0);
+    EXPECT_LT(worst(8), 0.05);
+    EXPECT_LT(worst(32), worst(8) / 32.0);
+    EXPECT_LT(worst(128), worst(8) / 1000.0);
 }
 
 TEST(Crystal, AbsorbingSpheresHaveAnAbsorbingMean) {

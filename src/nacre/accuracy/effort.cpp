@@ -47,4 +47,9 @@ bool Effort::is_spent(const Work& work) const {
     return static_cast<double>(work.samples) * per_sample_ > most_effort;
 }
 
+bool Effort::is_far_beyond(const Work& work) const {
+    constexpr double far = 2.0;
+    return static_cast<double>(work.samples) * per_sample_ > far * most_effort;
+}
+
 }  // namespace nacre

@@ -21,6 +21,8 @@ public:
 
     /// Whether so much work is all that is worth it.
     bool is_spent(const Work& work) const;
+    /// Whether it is so far beyond that the best so far has to do.
+    bool is_far_beyond(const Work& work) const;
     /// Texels of the largest LUT that is worth trying: in 2D none may take a quarter of all that.
     std::int64_t most_texels() const { return most_texels_; }
 

@@ -302,9 +302,20 @@ private:
         std::optional<double> least;
         const bool any_is_small = std::any_of(candidates_.begin(), candidates_.end(),
                                               [&](const Candidate& candidate) { return is_quickly_judged(candidate); });
-        for (auto candidate = candidates_.rbegin(); candidate != candidates_.rend(); ++candidate) {
-            if (any_is_small && !is_quickly_judged(*candidate)) continue;
-            Trial trial = trial_of(job(), *candidate);
+        // Where there is no time for all, long and narrow ones are the first to go without.
+        std::vector<Candidate> best_first(candidates_.rbegin(), candidates_.rend());
+        if (is_tired() && job().y) {
+            const auto squareness = [](const Candidate& candidate) {
+                return -std::abs(std::log2(candidate.width) - std::log2(candidate.height) - 1.0);
+            };
+            std::stable_sort(best_first.begin(), best_first.end(), [&](const Candidate& left, const Candidate& right) {
+                return squareness(left) > squareness(right);
+            });
+        }
+        for (const Candidate& candidate : best_first) {
+            if (any_is_small && !is_quickly_judged(candidate)) continue;
+            if (least && effort_.is_far_beyond(result_.work)) break;
+            Trial trial = trial_of(job(), candidate);
             const double enough = least ? 1.05 * *least : std::numeric_limits<double>::infinity();
             Scan scan =
                 scan_errors(trial, enough, least ? std::span<const LutPoint>(seeds_) : std::span<const LutPoint>{});
@@ -314,7 +325,7 @@ private:
                 continue;
             }
             least = std::min(least.value_or(scan.largest), scan.largest);
-            take(*candidate, trial, std::move(scan));
+            take(candidate, trial, std::move(scan));
         }
     }
 

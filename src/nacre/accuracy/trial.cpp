@@ -34,8 +34,9 @@ Job model_of(Job job, bool sampled) {
     job.light = without_wavelengths(job.light);
     if (samples_spectra(job.material.mechanism)) {
         const SpectralSampling& had = job.sampling;
-        job.sampling =
-            choose_sampling(job, {1e-3, 0.0, 1e-3, 0.0}, {{}, had.realisations, {had.hemisphere, had.sizes, had.slices}}).sampling;
+        job.sampling = choose_sampling(job, {1e-3, 0.0, 1e-3, 0.0},
+                                       {{}, had.realisations, {had.hemisphere, had.sizes, had.slices}})
+                           .sampling;
     }
     return job;
 }

@@ -57,8 +57,8 @@ struct VisitIndices {
     void operator()(MeasuredSpectra&) const {}
 };
 
-bool is_constant(const Index& index) {
-    return index.is_constant();
+bool is_even(const Index& index) {
+    return !index.is_dispersive();
 }
 
 bool is_lossless(const Index& index) {
@@ -75,11 +75,11 @@ bool any_index(const Mechanism& mechanism, bool only_layers, bool (*is_plain)(co
 }
 
 bool has_dispersion(const Mechanism& mechanism, double) {
-    return any_index(mechanism, false, is_constant);
+    return any_index(mechanism, false, is_even);
 }
 void remove_dispersion(Mechanism& mechanism, double) {
     for_each_index(mechanism, [](Index& index, IndexRole) {
-        if (index.is_constant()) return;
+        if (!index.is_dispersive()) return;
         const IndexCurve& curve = *index.curve;
         index = Index(curve.at(std::clamp(middle_nm, curve.first_nm, curve.last_nm)));
     });

@@ -23,8 +23,13 @@ constexpr double pi = std::numbers::pi;
 // A parabola over a piece is wrong by (change / 2)^3 / 15.6 of a sine whose phase changes so much: 1.4e-6 here, of half
 // the efficiency, a profile's depth being what makes phases.
 constexpr double most_phase_change = 0.07;
-// The same for the exponent of the azimuth's factor: 1e-6 of the factor.
+// The same for the exponent of the azimuth's factor: 1e-6 of the factor. Light that this dims far more than at the red
+// end may be off by more, up to 1e-4 of itself.
 constexpr double most_exponent_change = 0.05;
+constexpr double most_exponent_change_if_dim = 0.23;
+double allowed_exponent_change(double exponent, double least_exponent) {
+    return std::min(most_exponent_change * std::exp((exponent - least_exponent) / 3.0), most_exponent_change_if_dim);
+}
 // An order so weak beside another is below 1e-7 of that one's tail, wherever both are looked at: tails are not below
 // 1 / (2 (pi N m)^2) of a peak, N and m being at most 1e6 and 6e3.
 constexpr double negligible_share = 1e-28;
@@ -32,6 +37,8 @@ constexpr double negligible_share = 1e-28;
 constexpr std::size_t most_table_numbers = std::size_t{1} << 23U;
 // Beyond, exp() leaves the range of doubles that have all their digits.
 constexpr double darkest_exponent = 700.0;
+// And so much beyond the red end nothing is left beside it, be it a line's peak beside tails.
+constexpr double negligible_exponent = 70.0;
 
 // How many pieces' lengths an order must be away for 1 / t^2 to be a parabola. All pieces further off together are then
 // wrong by below 3e-7 of the line; where a piece holds much of the ripple, less light is left there to be wrong.
@@ -241,6 +248,7 @@ Xyz GratingColour::at(double u) const {
     std::array<std::vector<double>, 3> rows;
     std::array<Sample, 3> samples;
     std::array<double, 3> factor{};
+    const double least_exponent = azimuth * square(points_.back().per_nm);
     Far shared;
     Xyz sum;
     for (std::size_t piece = 0; 2 * piece + 2 < points_.size(); ++piece) {
@@ -251,10 +259,11 @@ Xyz GratingColour::at(double u) const {
         }
         const double to_exponent = azimuth * square(points_[2 * piece + 2].per_nm);
         const double change = azimuth * square(points_[2 * piece].per_nm) - to_exponent;
-        if (to_exponent > darkest_exponent) {
+        const double allowed_change = allowed_exponent_change(to_exponent, least_exponent);
+        if (to_exponent > std::min(darkest_exponent, least_exponent + negligible_exponent)) {
             shared.is_valid = false;
-        } else if (change > most_exponent_change) {
-            add_split_piece(samples, piece, azimuth, static_cast<int>(std::ceil(change / most_exponent_change)), sum);
+        } else if (change > allowed_change) {
+            add_split_piece(samples, piece, azimuth, static_cast<int>(std::ceil(change / allowed_change)), sum);
             shared.is_valid = false;
         } else {
             for (std::size_t j = 0; j < 3; ++j) samples[j].weight = scaled(samples[j].weight, factor[j]);

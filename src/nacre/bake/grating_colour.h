@@ -17,7 +17,8 @@ namespace nacre {
 /// narrower than the weights' nanometre, so nothing is sampled: over a piece of wavelength what varies slowly is a
 /// parabola in 1 / wavelength, and the line itself is integrated in closed form.
 /// Accuracy: 2e-7 of every component, or 3e-8 where only the tails of lines are seen and their ripples fall in step
-/// with whole nanometres; 2e-6 of profiles so deep that they are cut into pieces of less than a nanometre.
+/// with whole nanometres; 2e-6 of profiles so deep that they are cut into pieces of less than a nanometre. Beside the
+/// plane across the grooves, 1e-6, and 1e-4 of light that their length dims beyond exp(-5).
 class GratingColour {
 public:
     /// Keeps what it needs: neither has to outlive it.

@@ -63,7 +63,7 @@ bool has_either(const LayerSystem& system, int medium, const Has& has) {
 }
 
 bool is_dispersive(const LayerSystem& system, int medium) {
-    return has_either(system, medium, [](const Index& index) { return !index.is_constant(); });
+    return has_either(system, medium, [](const Index& index) { return index.is_dispersive(); });
 }
 
 bool absorbs(const LayerSystem& system, int medium) {
@@ -114,9 +114,10 @@ LayerEnsemble layer_ensemble(const Mechanism& mechanism, int realisations, std::
 RealisationCounts realisation_counts(const Mechanism& mechanism) {
     if (std::holds_alternative<Crystal>(mechanism)) return realisation_counts(1);
     const LayerSystem uneven = layer_ensemble(mechanism, 2).systems.front();  // its repeats are written out
-    return realisation_counts(static_cast<std::size_t>(
-        std::count_if(uneven.nodes.begin(), uneven.nodes.end(),
-                      [](const LayerNode& node) { return node.repeat == 0 && !node.is_incoherent; })));
+    return realisation_counts(
+        static_cast<std::size_t>(std::count_if(uneven.nodes.begin(), uneven.nodes.end(), [](const LayerNode& node) {
+            return node.repeat == 0 && !node.is_incoherent;
+        })));
 }
 
 std::vector<double> base_factors(const Base& base, const LayerEnsemble& ensemble,
@@ -186,9 +187,8 @@ Xyz LayeredColour::with_base(const Band& band, const SpectralNodes& nodes, const
         band.solvers[member].responses(incidence, responses);
         const double share = ensemble_.shares[member];
         for (std::size_t i = 0; i < responses.size(); ++i) {
-            const double seen =
-                share * (reflectance_of(responses[i], effects_.polarisation) +
-                         transmittance_of(responses[i], effects_.polarisation) * band.base_factors[i]);
+            const double seen = share * (reflectance_of(responses[i], effects_.polarisation) +
+                                         transmittance_of(responses[i], effects_.polarisation) * band.base_factors[i]);
             sum = {sum.x + seen * nodes.x[i], sum.y + seen * nodes.y[i], sum.z + seen * nodes.z[i]};
         }
     }

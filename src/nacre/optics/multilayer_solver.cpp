@@ -154,9 +154,10 @@ void sample_indices(const LayerSystem& system, std::span<const double> wavelengt
     prepared.largest_n0 = largest[incident];
     for (const Medium& medium : system.media) {
         // Refraction depends on the incident medium too.
-        prepared.is_dispersive.push_back(!system.curves[static_cast<std::size_t>(medium.curve)].is_constant() ||
-                                         !system.curves[static_cast<std::size_t>(medium.other)].is_constant() ||
-                                         !system.curves[incident].is_constant());
+        const auto other = static_cast<std::size_t>(medium.share == 0.0 ? medium.curve : medium.other);
+        prepared.is_dispersive.push_back(system.curves[static_cast<std::size_t>(medium.curve)].is_dispersive() ||
+                                         system.curves[other].is_dispersive() ||
+                                         system.curves[incident].is_dispersive());
     }
     set_growths(norms, wavelength_nm, prepared);
 }

@@ -129,6 +129,17 @@ RefractiveIndex IndexCurve::at(double wavelength_nm) const {
     return {index_at(n, nm), absorption_at(k, nm)};
 }
 
+bool IndexCurve::is_dispersive() const {
+    const auto varies = [](const SampledCurve* table) {
+        return table != nullptr && std::any_of(table->value.begin(), table->value.end(),
+                                               [&](double value) { return value != table->value.front(); });
+    };
+    const auto* formula = std::get_if<IndexFormula>(&n);
+    // C1 alone is a number in every formula.
+    const bool formula_varies = formula != nullptr && formula->coefficients.size() > 1;
+    return formula_varies || varies(std::get_if<SampledCurve>(&n)) || varies(std::get_if<SampledCurve>(&k));
+}
+
 bool IndexCurve::is_lossless() const {
     const auto is_zero = [](double value) { return value == 0.0; };
     const auto* table = std::get_if<SampledCurve>(&k);

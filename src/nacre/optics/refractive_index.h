@@ -58,6 +58,9 @@ struct IndexCurve {
     RefractiveIndex at(double wavelength_nm) const;
     /// Whether k is 0 at every wavelength of its table.
     bool is_lossless() const;
+    /// Whether n or k depend on the wavelength: tables that say the same at every node do not, nor do
+    /// formulas of C1 alone.
+    bool is_dispersive() const;
     friend bool operator==(const IndexCurve&, const IndexCurve&) = default;
 };
 
@@ -72,6 +75,7 @@ struct Index {
     explicit Index(std::shared_ptr<const IndexCurve> material) : curve(std::move(material)) {}
 
     bool is_constant() const { return curve == nullptr; }
+    bool is_dispersive() const { return curve != nullptr && curve->is_dispersive(); }
     RefractiveIndex at(double wavelength_nm) const { return curve ? curve->at(wavelength_nm) : constant; }
     /// The same number, or the same material: the very object, not an equal one.
     friend bool operator==(const Index&, const Index&) = default;

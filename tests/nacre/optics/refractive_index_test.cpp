@@ -156,5 +156,22 @@ TEST(Index, IsANumberOrAMaterial) {
     EXPECT_EQ(silica, Index(silica));
 }
 
+TEST(RefractiveIndex, WhatIsTheSameEverywhereIsNotDispersive) {
+    IndexCurve curve;
+    EXPECT_FALSE(curve.is_dispersive());
+    curve.n = IndexFormula{5, {1.683}};
+    EXPECT_FALSE(curve.is_dispersive());
+    curve.k = SampledCurve{{400.0, 500.0, 600.0}, {0.06, 0.06, 0.06}};
+    EXPECT_FALSE(curve.is_dispersive());
+    EXPECT_EQ(curve.at(450.0), RefractiveIndex(1.683, 0.06));
+    curve.k = SampledCurve{{400.0, 500.0, 600.0}, {0.06, 0.06, 0.05}};
+    EXPECT_TRUE(curve.is_dispersive());
+    curve.k = 0.0;
+    curve.n = IndexFormula{5, {1.6, 0.01, -2.0}};
+    EXPECT_TRUE(curve.is_dispersive());
+    EXPECT_FALSE(Index(RefractiveIndex(2.0, 3.0)).is_dispersive());
+    EXPECT_TRUE(Index(std::make_shared<const IndexCurve>(curve)).is_dispersive());
+}
+
 }  // namespace
 }  // namespace nacre

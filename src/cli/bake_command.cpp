@@ -32,6 +32,7 @@ struct BakeOptions {
     int threads = 0;
     bool best_effort = false;
     bool force = false;
+    bool strict = false;
     bool dry_run = false;
 };
 
@@ -151,7 +152,8 @@ int bake_tasks(const std::vector<BakeTask>& tasks, const BakeOptions& options, C
 }
 
 int run_bake(const BakeOptions& options, bool with_luts, Console& console) {
-    std::vector<LoadedScene> scenes = load_scenes(options.scenes, options.ocio, true, options.only, console);
+    std::vector<LoadedScene> scenes =
+        load_scenes(options.scenes, options.ocio, true, options.only, options.strict, console);
     if (with_luts) override_accuracy(scenes, options.accuracy, options.effects);
     std::vector<BakeTask> tasks = list_tasks(scenes, with_luts);
     keep_shard(tasks, options.shard);
@@ -180,6 +182,7 @@ void declare_common(CLI::App& app, BakeOptions& options) {
         ->type_name("N")
         ->check(CLI::Range(0, 1024))
         ->capture_default_str();
+    add_strict_option(app, options.strict);
     app.add_flag("--force", options.force, "write files that are up to date as well");
     app.add_flag("--dry-run", options.dry_run, "say which files would be written, and stop");
 }

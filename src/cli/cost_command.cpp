@@ -91,7 +91,7 @@ std::vector<CostRow> measure_costs(const PlannedLut& lut, const Encoding& encodi
 }
 
 int run_cost(const CostOptions& options, Console& console) {
-    std::vector<LoadedScene> scenes = load_scenes({options.scene}, options.ocio, false, {}, console);
+    std::vector<LoadedScene> scenes = load_scenes({options.scene}, options.ocio, false, {}, false, console);
     const LoadedScene& scene = scenes.front();
     const PlannedLut& lut = lut_named(scene.plan, options.lut);
     if (!scene.transform.has_way_back()) {

@@ -1,8 +1,8 @@
 #include "cli/loaded_scene.h"
 
 #include <algorithm>
-#include <filesystem>
 
+#include "io/picked_colours.h"
 #include "io/scene_file.h"
 #include "nacre/bake/names.h"
 #include "nacre/bake/output_names.h"
@@ -10,15 +10,6 @@
 
 namespace nacre {
 namespace {
-
-ColourConfigChoice config_choice(const Plan& plan, const std::string& scene_path, const std::string& ocio) {
-    const ColourSettings& colour = plan.colour;
-    if (!ocio.empty()) return {ocio, colour.interchange, "--ocio"};
-    if (colour.config.empty()) return {"", colour.interchange, scene_path};
-    // A file that a scene names lies beside the scene.
-    const auto file = std::filesystem::path(colour.config_where.file).parent_path() / colour.config;
-    return {file.string(), colour.interchange, colour.config_where.text() + " [colour]"};
-}
 
 // Linear Rec.709 is the default, and every config calls it something else.
 ColourTransform target_transform(const ColourConfig& config, const ColourSettings& colour, const std::string& where) {
@@ -50,10 +41,10 @@ void check_names(const std::vector<std::string>& only, const std::vector<LoadedS
 }  // namespace
 
 LoadedScene load_scene(const std::string& path, const std::string& ocio, bool want_swatches,
-                       const std::vector<std::string>& only, Console& console) {
-    Plan plan = plan_scene(read_scene_file(path), scene_files(), {only, false});
+                       const std::vector<std::string>& only, bool strict, Console& console) {
+    Plan plan = plan_scene(read_scene_file(path), scene_files_with_colours(path, ocio), {only, false, strict});
     for (const std::string& warning : plan.warnings) console.warning(warning);
-    const ColourConfig config = ColourConfig::open(config_choice(plan, path, ocio));
+    const ColourConfig config = ColourConfig::open(config_choice(plan.colour, path, ocio));
     const std::string where = plan.colour.space_where.line > 0 ? plan.colour.space_where.text() + " [colour]" : path;
     ColourTransform transform = target_transform(config, plan.colour, where);
     if (plan.colour.gamut == Gamut::compress && !transform.linear_matrix()) {
@@ -86,11 +77,11 @@ LoadedScene load_scene(const std::string& path, const std::string& ocio, bool wa
 }
 
 std::vector<LoadedScene> load_scenes(const std::vector<std::string>& paths, const std::string& ocio, bool want_swatches,
-                                     const std::vector<std::string>& only, Console& console) {
+                                     const std::vector<std::string>& only, bool strict, Console& console) {
     std::vector<LoadedScene> scenes;
     OutputNames names;
     for (const std::string& path : paths) {
-        scenes.push_back(load_scene(path, ocio, want_swatches, only, console));
+        scenes.push_back(load_scene(path, ocio, want_swatches, only, strict, console));
         names.claim(scenes.back().plan);
     }
     check_names(only, scenes);

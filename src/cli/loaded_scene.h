@@ -25,11 +25,12 @@ struct LoadedScene {
 /// @param ocio         --ocio: wins over the scene's config, which wins over $OCIO
 /// @param want_swatches  whether displays and views are needed
 /// @param only         names of LUTs and swatches; empty: all
+/// @param strict       whether a picked colour that no band has is an error
 LoadedScene load_scene(const std::string& path, const std::string& ocio, bool want_swatches,
-                       const std::vector<std::string>& only, Console& console);
+                       const std::vector<std::string>& only, bool strict, Console& console);
 
 /// All of them; throws Error if two scenes would write one file, or if `only` names what none of them has.
 std::vector<LoadedScene> load_scenes(const std::vector<std::string>& paths, const std::string& ocio, bool want_swatches,
-                                     const std::vector<std::string>& only, Console& console);
+                                     const std::vector<std::string>& only, bool strict, Console& console);
 
 }  // namespace nacre

@@ -24,6 +24,7 @@ struct PlanOptions {
     double accuracy = 0.0;
     std::string effects;
     int threads = 0;
+    bool strict = false;
 };
 
 std::string axis_text(const Axis& axis) {
@@ -51,10 +52,12 @@ std::vector<std::string> table_row(const SettledTask& task, double seconds) {
 // "errors of morpho: interpolation 0.089, storage 0.032", the largest first.
 std::string error_line(const SettledTask& task) {
     const ErrorSplit& split = task.lut.predicted;
-    std::vector<std::pair<double, std::string_view>> parts{
-        {split.spectrum, "spectrum"},           {split.spread, "spread of thicknesses"},
-        {split.quadrature, "base, radii, slices"},   {split.effects, "effects left out"},
-        {split.interpolation, "interpolation"}, {split.storage, "storage"}};
+    std::vector<std::pair<double, std::string_view>> parts{{split.spectrum, "spectrum"},
+                                                           {split.spread, "spread of thicknesses"},
+                                                           {split.quadrature, "base, radii, slices"},
+                                                           {split.effects, "effects left out"},
+                                                           {split.interpolation, "interpolation"},
+                                                           {split.storage, "storage"}};
     std::stable_sort(parts.begin(), parts.end(),
                      [](const auto& one, const auto& other) { return one.first > other.first; });
     std::string text;
@@ -90,6 +93,7 @@ nlohmann::ordered_json task_json(const SettledTask& task, double seconds) {
     }
     if (job.sampling.realisations > 1) json["realisations"] = job.sampling.realisations;
     if (std::holds_alternative<Crystal>(job.material.mechanism)) json["slices"] = job.sampling.slices;
+    for (const PickedColour& picked : job.material.picked) json["picked"].push_back(picked_json(picked));
     json["max_de00"] = nullptr;
     if (lut.wish.has_bound) json["max_de00"] = lut.wish.max_de00;
     json["predicted"] = nullptr;
@@ -105,6 +109,18 @@ nlohmann::ordered_json task_json(const SettledTask& task, double seconds) {
     json["work"] = {{"deciding", work_json(settled.work)}, {"baking", work_json(bake_work(job, settled.worst.size()))}};
     json["files"] = output_files(lut);
     return json;
+}
+
+// The bands that picked colours became.
+void note_picked(const LoadedScene& scene, Console& console) {
+    for (const Material& material : scene.plan.materials) {
+        for (const PickedColour& picked : material.picked) {
+            console.summary(material.name + ": " + picked.text + " at " + number_text(picked.angle_deg) +
+                            " deg is the band peak_nm = " + significant_text(picked.lobe.peak_nm, 6) +
+                            ", width_nm = " + significant_text(picked.lobe.width_nm, 6) +
+                            ", height = " + significant_text(picked.lobe.height, 4) + ", " + match_text(picked));
+        }
+    }
 }
 
 // What a scene's picks ask for that no surface can do.
@@ -149,7 +165,8 @@ std::vector<SettledTask> list_luts(const std::vector<LoadedScene>& scenes) {
 }
 
 int run_plan(const PlanOptions& options, Console& console) {
-    std::vector<LoadedScene> scenes = load_scenes(options.scenes, options.ocio, true, options.only, console);
+    std::vector<LoadedScene> scenes =
+        load_scenes(options.scenes, options.ocio, true, options.only, options.strict, console);
     override_accuracy(scenes, options.accuracy, options.effects);
     std::vector<SettledTask> tasks = list_luts(scenes);
     settle_all(tasks, options.threads, console);
@@ -178,6 +195,7 @@ int run_plan(const PlanOptions& options, Console& console) {
     console.summary("");
     for (const std::string& line : effect_text) console.summary(line);
     for (const LoadedScene& scene : scenes) {
+        note_picked(scene, console);
         note_clamps(scene, console);
         note_edges(scene, console);
         for (const PlannedSwatch& swatch : scene.plan.swatches)
@@ -204,6 +222,7 @@ Command add_plan_command(CLI::App& app) {
         ->type_name("N")
         ->check(CLI::Range(0, 1024))
         ->capture_default_str();
+    add_strict_option(app, options->strict);
     app.footer(
         "\nPer LUT: axes, size, format, how spectra become colour; the error to expect (CIEDE2000, the largest over "
         "the\n"

@@ -88,6 +88,10 @@ void add_accuracy_option(CLI::App& app, double& value) {
         ->check(is_bound);
 }
 
+void add_strict_option(CLI::App& app, bool& is_strict) {
+    app.add_flag("--strict", is_strict, "a picked colour that no band of reflectance has is an error, not a warning");
+}
+
 void add_effects_option(CLI::App& app, std::string& word) {
     app.add_option(
            "--effects", word,

@@ -36,6 +36,8 @@ std::size_t report_out_of_reach(const std::vector<SettledTask>& tasks, bool best
 
 /// Declares --accuracy; `value` stays 0 if it is not given.
 void add_accuracy_option(CLI::App& app, double& value);
+/// Declares --strict.
+void add_strict_option(CLI::App& app, bool& is_strict);
 /// Declares --effects; `word` stays empty if it is not given.
 void add_effects_option(CLI::App& app, std::string& word);
 

@@ -7,6 +7,7 @@
 #include "cli/commands.h"
 #include "cli/stop_signal.h"
 #include "io/curve_csv.h"
+#include "io/picked_colours.h"
 #include "io/scene_file.h"
 #include "nacre/bake/bake.h"
 #include "nacre/bake/names.h"
@@ -83,7 +84,8 @@ public:
     SpectrumRun(const SpectrumOptions& options, Console& console)
         : options_(options),
           console_(console),
-          plan_(plan_scene(read_scene_file(options.scene), scene_files(), {{}, true})) {}
+          plan_(plan_scene(read_scene_file(options.scene), scene_files_with_colours(options.scene, ""),
+                           {{}, true, false})) {}
 
     int run() {
         const std::vector<Point> points = options_.points.empty() ? points_of_options() : points_of_file();

@@ -95,6 +95,7 @@ LutHeader make_header(const SettledLut& settled, const ColourSettings& colour, c
     add("adapt", std::string(name_of(adaptation_words, light.adaptation)));
     add("rangeNm", std::to_string(light.first_nm) + " " + std::to_string(light.last_nm));
     add("integration", integration_text(job));
+    if (!job.material.picked.empty()) add("picked", picked_text(job.material.picked));
     if (!settled.effects.empty()) add("effects", effects_text(settled.effects));
     add("accuracyAsked", lut.wish.has_bound ? number_text(lut.wish.max_de00) : "none");
     add("accuracyReached", baked.reached ? number_text(*baked.reached) : "unknown");
@@ -161,6 +162,18 @@ BakedLut bake_lut(const SettledLut& settled, const ColourSettings& colour, const
     return baked;
 }
 
+nlohmann::ordered_json picked_json(const PickedColour& picked) {
+    static constexpr std::array misses{"exact", "too bright", "too saturated"};
+    return {{"pick", picked.pick},
+            {"angle_deg", picked.angle_deg},
+            {"colour", picked.text},
+            {"peak_nm", picked.lobe.peak_nm},
+            {"width_nm", picked.lobe.width_nm},
+            {"height", picked.lobe.height},
+            {"de00", rounded_up(picked.lobe.de00)},
+            {"match", misses[static_cast<std::size_t>(picked.lobe.miss)]}};
+}
+
 std::string manifest_json(const SettledLut& settled, const BakedLut& baked) {
     const PlannedLut& lut = settled.lut;
     const Job& job = lut.job;
@@ -218,6 +231,7 @@ std::string manifest_json(const SettledLut& settled, const BakedLut& baked) {
         if (!choice.is_simulated && !choice.is_given) effect["share"] = choice.share;
         json["effects"].push_back(std::move(effect));
     }
+    for (const PickedColour& picked : job.material.picked) json["picked"].push_back(picked_json(picked));
     if (baked.clamped.below_deg) json["clamped_below_deg"] = rounded_angle(*baked.clamped.below_deg);
     if (baked.clamped.above_deg) json["clamped_above_deg"] = rounded_angle(*baked.clamped.above_deg);
     json["scene"] = header.value("scene");

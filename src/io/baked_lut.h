@@ -1,5 +1,6 @@
 #pragma once
 
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -41,6 +42,9 @@ Encoding lut_encoding(const ColourTransform& transform, Gamut gamut);
 /// Throws Error if the space or the format cannot hold the colours.
 BakedLut bake_lut(const SettledLut& lut, const ColourSettings& colour, const ColourSource& source,
                   const ColourTransform& transform, const AfterRow& after_row = {});
+
+/// A pick that was given as a colour, for manifests and --json.
+nlohmann::ordered_json picked_json(const PickedColour& picked);
 
 /// The manifest: JSON for tools, ending in a newline. No date, host or path.
 std::string manifest_json(const SettledLut& lut, const BakedLut& baked);

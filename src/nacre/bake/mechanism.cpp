@@ -15,8 +15,9 @@ struct MechanismRow {
     Mechanism (*read)(const Table&, const SceneContext&);
 };
 constexpr std::array mechanism_rows{
-    MechanismRow{"palette", Quantity::incidence,
-                 [](const Table& table, const SceneContext&) -> Mechanism { return read_palette(table); }},
+    MechanismRow{
+        "palette", Quantity::incidence,
+        [](const Table& table, const SceneContext& context) -> Mechanism { return read_palette(table, context); }},
     MechanismRow{
         "film", Quantity::incidence,
         [](const Table& table, const SceneContext& context) -> Mechanism { return read_film(table, context.index); }},

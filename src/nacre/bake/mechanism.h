@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "nacre/bake/geometry.h"
+#include "nacre/bake/picked_colour.h"
 #include "nacre/bake/table.h"
 #include "nacre/optics/base.h"
 #include "nacre/optics/crystal.h"
@@ -54,6 +55,7 @@ struct Material {
     std::string name;
     Mechanism mechanism;
     Where where;
+    std::vector<PickedColour> picked{};  ///< of the mechanism's picks those that were given as colours
 };
 
 /// A number of a mechanism that a LUT may have as its axis.

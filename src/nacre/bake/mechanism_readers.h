@@ -10,7 +10,7 @@ namespace nacre {
 
 // What mechanism.cpp has a row of per mechanism: its keys in a scene, the parameters that may be axes, and its TOML.
 
-Palette read_palette(const Table& table);
+Palette read_palette(const Table& table, const SceneContext& context);
 std::vector<Parameter> palette_parameters(const Palette& palette);
 std::string palette_toml(const Palette& palette);
 

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -46,6 +47,26 @@ void check_picks_differ(const Palette& palette, const Table& table, const Where&
     }
 }
 
+// Black says nothing about peak and width: they are those of the nearest pick that is not black, so that the band fades
+// where it is.
+// @param black  picks that were given as the colour black
+void take_shape_of_neighbours(const std::vector<std::size_t>& black, Palette& palette) {
+    const auto is_black = [&](const Pick& pick) {
+        const auto index = static_cast<std::size_t>(&pick - palette.picks.data());
+        return std::find(black.begin(), black.end(), index) != black.end();
+    };
+    for (const std::size_t index : black) {
+        Pick& pick = palette.picks[index];
+        double least_deg = 180.0;
+        for (const Pick& other : palette.picks) {
+            const double distance_deg = std::abs(other.angle_deg - pick.angle_deg);
+            if (is_black(other) || distance_deg >= least_deg) continue;
+            least_deg = distance_deg;
+            pick.lobe = {other.lobe.peak_nm, other.lobe.width_nm, 0.0};
+        }
+    }
+}
+
 }  // namespace
 
 std::vector<Parameter> palette_parameters(const Palette& palette) {
@@ -76,11 +97,12 @@ std::vector<Parameter> palette_parameters(const Palette& palette) {
     return parameters;
 }
 
-Palette read_palette(const Table& table) {
+Palette read_palette(const Table& table, const SceneContext& context) {
     Palette palette;
     const Value* picks = table.find("picks");
     if (picks == nullptr) {
-        table.fail_missing("picks", "give two or more, each { angle_deg, peak_nm, width_nm, height }");
+        table.fail_missing("picks",
+                           "give two or more, each { angle_deg, colour } or { angle_deg, peak_nm, width_nm, height }");
     }
     const Value::Array& list = table.checked_array("picks", *picks);
     if (list.size() < 2 || list.size() > most_picks) {
@@ -89,13 +111,24 @@ Palette read_palette(const Table& table) {
                                      std::to_string(most_picks) +
                                      " (the colour at one angle says nothing about the others)");
     }
+    std::vector<std::size_t> black;
     for (const Value& element : list) {
         const Table& pick = table.checked_table("picks", element);
-        palette.picks.push_back({pick.number("angle_deg", allowed_angle),
-                                 {pick.number("peak_nm", allowed_peak), pick.number("width_nm", allowed_width),
-                                  pick.number("height", allowed_height)}});
+        const double angle_deg = pick.number("angle_deg", allowed_angle);
+        if (auto picked = read_picked_colour(pick, context.read_colour, context.find_lobe)) {
+            picked->pick = palette.picks.size();
+            picked->angle_deg = angle_deg;
+            context.note_picked(*picked);
+            if (picked->lobe.height == 0.0) black.push_back(picked->pick);
+            palette.picks.push_back({angle_deg, {picked->lobe.peak_nm, picked->lobe.width_nm, picked->lobe.height}});
+        } else {
+            palette.picks.push_back({angle_deg,
+                                     {pick.number("peak_nm", allowed_peak), pick.number("width_nm", allowed_width),
+                                      pick.number("height", allowed_height)}});
+        }
         pick.expect_all_read();
     }
+    take_shape_of_neighbours(black, palette);
     palette.shape = table.number_or("shape", allowed_shape, Palette::default_shape);
     check_picks_differ(palette, table, picks->where);
     return palette;

@@ -8,6 +8,7 @@
 #include "nacre/bake/output_names.h"
 #include "nacre/bake/plan_tables.h"
 #include "nacre/bake/sampler.h"
+#include "nacre/error.h"
 
 namespace nacre {
 namespace {
@@ -31,7 +32,14 @@ public:
         const SceneContext context{
             {files_.find_material, static_cast<double>(light.first_nm), static_cast<double>(light.last_nm)},
             files_.read_curve,
-            files_.read_spectra};
+            files_.read_spectra,
+            [&](const Rgb& colour, const std::string& space, const Where& where) {
+                if (!files_.read_colour)
+                    throw Error(where.text() + ": a colour needs an OpenColorIO config, and there is none here");
+                return files_.read_colour(colour, space, where, plan_.colour);
+            },
+            [&](const Xyz& colour) { return lobe_finder().find(colour); },
+            {}};
         Materials materials(material_table(), context,
                             [&](const Table& table, const Mechanism& mechanism) { check_fringes(table, mechanism); });
         read_luts(materials);
@@ -40,6 +48,7 @@ public:
             for (const std::string& name : materials.names()) materials.named(name);
         }
         plan_.materials = materials.read();
+        judge_picked_colours();
         warn_of_black_gratings();
         scene_.expect_all_read();
         OutputNames().claim(plan_);
@@ -160,6 +169,26 @@ private:
         std::erase(plan_.names, name);
     }
 
+    // Made when the first colour is picked.
+    const LobeFinder& lobe_finder() {
+        const Light& light = *plan_.light;
+        if (!lobe_finder_) lobe_finder_.emplace(light.weights, light.moments, light.adaptation);
+        return *lobe_finder_;
+    }
+
+    void judge_picked_colours() {
+        for (const Material& material : plan_.materials) {
+            for (const PickedColour& picked : material.picked) {
+                if (picked.lobe.miss == LobeMiss::none) continue;
+                const std::string message = picked.where.text() + " [material." + material.name + "]: picks[" +
+                                            std::to_string(picked.pick) + "], " + picked.text +
+                                            ": the nearest band is " + match_text(picked);
+                if (request_.strict) throw Error(message);
+                plan_.warnings.push_back(message);
+            }
+        }
+    }
+
     void warn_of_black_gratings() {
         for (const Material& material : plan_.materials) {
             const auto* grating = std::get_if<Grating>(&material.mechanism);
@@ -218,6 +247,7 @@ private:
     Plan plan_;
     AccuracySettings accuracy_;
     const Table* lut_table_ = nullptr;
+    std::optional<LobeFinder> lobe_finder_;
     std::deque<PlannedLut> shown_luts_;
 };
 

@@ -106,6 +106,9 @@ struct SceneFiles {
     CurveReader read_curve;
     MaterialReader find_material;
     SpectraReader read_spectra;
+    /// A picked colour's XYZ, by the scene's OpenColorIO config; empty: colours cannot be read here.
+    std::function<Xyz(const Rgb& colour, const std::string& space, const Where& where, const ColourSettings& settings)>
+        read_colour{};
 };
 
 /// What of a scene is wanted.
@@ -113,6 +116,7 @@ struct PlanRequest {
     /// Names of LUTs and swatches; empty: all. Names that the scene does not have are no error: another scene may.
     std::vector<std::string> only;
     bool all_materials = false;  ///< those too that no LUT and no swatch asks for
+    bool strict = false;         ///< whether a picked colour that no band of reflectance has is an error
 
     bool wants(const std::string& name) const;
 };

@@ -6,8 +6,9 @@
 
 namespace nacre {
 
-Materials::Materials(const Table& table, const SceneContext& context, Check check)
-    : table_(table), context_(context), check_(std::move(check)) {
+Materials::Materials(const Table& table, SceneContext context, Check check)
+    : table_(table), context_(std::move(context)), check_(std::move(check)) {
+    context_.note_picked = [this](const PickedColour& picked) { picked_.push_back(picked); };
     for (const Table::Entry& entry : table.entries()) {
         check_name(entry.key, table, entry.key_where);
         names_.push_back(entry.key);
@@ -20,7 +21,9 @@ const Material& Materials::named(const std::string& name) {
     const auto& entries = table_.entries();
     const auto entry = std::find_if(entries.begin(), entries.end(), [&](const auto& e) { return e.key == name; });
     const Table& table = table_.checked_table(entry->key, entry->value);
-    Material material{entry->key, read_mechanism(table, context_), entry->key_where};
+    picked_.clear();
+    Material material{entry->key, read_mechanism(table, context_), entry->key_where, {}};
+    material.picked = std::exchange(picked_, {});
     table.expect_all_read();
     check_(table, material.mechanism);
     return read_.emplace(name, std::move(material)).first->second;

@@ -50,9 +50,10 @@ class Materials {
 public:
     using Check = std::function<void(const Table&, const Mechanism&)>;
     /// @param table    of all materials; has to outlive this
-    /// @param context  likewise
     /// @param check    called for every one that is read; throws Error
-    Materials(const Table& table, const SceneContext& context, Check check);
+    Materials(const Table& table, SceneContext context, Check check);
+    Materials(const Materials&) = delete;
+    Materials& operator=(const Materials&) = delete;
 
     const std::vector<std::string>& names() const { return names_; }
     const Material& named(const std::string& name);
@@ -61,8 +62,9 @@ public:
 
 private:
     const Table& table_;
-    const SceneContext& context_;
+    SceneContext context_;
     Check check_;
+    std::vector<PickedColour> picked_;  // of the material that is being read
     std::vector<std::string> names_;
     std::map<std::string, Material> read_;
 };

@@ -5,6 +5,7 @@
 
 #include "nacre/bake/index.h"
 #include "nacre/bake/light.h"
+#include "nacre/bake/picked_colour.h"
 #include "nacre/optics/measured_spectra.h"
 
 namespace nacre {
@@ -18,6 +19,10 @@ struct SceneContext {
     IndexReader index;
     CurveReader read_curve;
     SpectraReader read_spectra;
+    ColourReader read_colour;
+    LobeReader find_lobe;
+    /// Called for every pick that is a colour.
+    std::function<void(const PickedColour&)> note_picked;
 };
 
 }  // namespace nacre

@@ -1,5 +1,6 @@
 #include "nacre/colour/difference.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -41,7 +42,16 @@ Lab to_lab(Xyz colour, Xyz white) {
     return {116.0 * fy - 16.0, 500.0 * (fx - fy), 200.0 * (fy - fz)};
 }
 
-double ciede2000(const Lab& one, const Lab& other) {
+namespace {
+
+struct Steps {
+    double lightness;
+    double chroma;
+    double hue;
+    double rotation;
+};
+
+Steps steps_between(const Lab& one, const Lab& other) {
     const double mean_plain_chroma = 0.5 * (std::hypot(one.a, one.b) + std::hypot(other.a, other.b));
     const double stretch = 1.0 + 0.5 * (1.0 - seventh_power_share(mean_plain_chroma));
     const double a1 = stretch * one.a;
@@ -76,13 +86,23 @@ double ciede2000(const Lab& one, const Lab& other) {
     const double rotation =
         -2.0 * seventh_power_share(chroma) * std::sin(2.0 * 30.0 * std::exp(-blue * blue) / degrees_per_radian);
 
-    const double l = lightness_step / s_l;
-    const double c = chroma_step / s_c;
-    const double h = hue_step / s_h;
+    return {lightness_step / s_l, chroma_step / s_c, hue_step / s_h, rotation};
+}
+
+}  // namespace
+
+double ciede2000(const Lab& one, const Lab& other) {
+    const auto [l, c, h, rotation] = steps_between(one, other);
     // The form is positive definite (|rotation| < 2), but rounding may leave a trifle below 0. What is not a number
     // stays so: fmax() would hide it.
     const double square = l * l + c * c + h * h + rotation * c * h;
     return std::sqrt(square < 0.0 ? 0.0 : square);
+}
+
+std::array<double, 3> ciede2000_parts(const Lab& one, const Lab& other) {
+    const auto [l, c, h, rotation] = steps_between(one, other);
+    const double half = 0.5 * rotation;
+    return {l, c + half * h, h * std::sqrt(std::max(0.0, (1.0 - half) * (1.0 + half)))};
 }
 
 }  // namespace nacre

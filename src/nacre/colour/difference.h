@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+
 #include "nacre/colour/colour_types.h"
 
 namespace nacre {
@@ -25,6 +27,10 @@ inline constexpr double black_luminance = 1e-12;
 /// Source: Sharma, Wu, Dalal 2005, Color Res. Appl. 30(1), 21-30, equations 2-22; symmetric in its arguments.
 /// Accuracy: that article's 34 pairs to their four decimals.
 double ciede2000(const Lab& one, const Lab& other);
+
+/// The same as three parts whose squares sum to the square of ciede2000(): lightness; chroma, with half of the rotation
+/// term; and the rest of hue. For optimisers that want residuals.
+std::array<double, 3> ciede2000_parts(const Lab& one, const Lab& other);
 
 /// No two colours differ by more in CIEDE2000 than by so many times their Euclidean distance in L*a*b*.
 ///

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <string>
+
+#include "io/colour_config.h"
+#include "nacre/bake/plan.h"
+
+namespace nacre {
+
+/// Which OpenColorIO config a scene is baked with.
+/// @param ocio  --ocio: wins over the scene's config, which wins over $OCIO
+ColourConfigChoice config_choice(const ColourSettings& colour, const std::string& scene_path, const std::string& ocio);
+
+/// scene_files(), with colours read by the scene's config. It is opened when the first colour is asked for.
+SceneFiles scene_files_with_colours(const std::string& scene_path, const std::string& ocio);
+
+}  // namespace nacre

@@ -107,6 +107,7 @@ struct Tally {
             return;
         }
         console.summary(outcome.line);
+        if (!outcome.warning.empty()) console.warning(outcome.warning);
         outside_gamut += outcome.outside_gamut > 0 && task.scene->plan.colour.gamut == Gamut::keep ? 1 : 0;
         if (console.json()) (task.lut != nullptr ? luts : swatches).push_back(outcome.json);
     }

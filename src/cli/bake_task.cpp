@@ -114,6 +114,11 @@ BakeOutcome bake_one_lut(const BakeTask& task, const BakeTarget& target) {
                           " where max_de00 = " + number_text(bound) + " was promised; please report this scene";
         return outcome;
     }
+    // A bound that nobody gave is a goal; that it is out of reach was said before, unless the plan did not see it.
+    if (settled.lut.wish.has_bound && settled.is_reached && baked.reached && !(*baked.reached <= bound)) {
+        outcome.warning = task.where().text() + " " + task.name() + ": errs by " + short_number(*baked.reached) +
+                          ", more than max_de00 = " + number_text(bound) + "; please report this scene";
+    }
     outcome.unchanged = true;
     put_files(task, exr, manifest, target, outcome.unchanged);
     outcome.outside_gamut = baked.gamut.outside;

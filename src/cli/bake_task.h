@@ -38,6 +38,7 @@ struct BakeOutcome {
     std::string line;             ///< for people
     nlohmann::ordered_json json;  ///< for machines
     std::string failure;          ///< why it was not written; empty if it was
+    std::string warning;          ///< what else should be known; empty if nothing
     bool misses_bound = false;    ///< measured, the LUT errs by more than its binding bound, which settle() found kept
     std::size_t outside_gamut = 0;
     bool unchanged = false;

@@ -93,6 +93,10 @@ nlohmann::ordered_json task_json(const SettledTask& task, double seconds) {
     }
     if (job.sampling.realisations > 1) json["realisations"] = job.sampling.realisations;
     if (std::holds_alternative<Crystal>(job.material.mechanism)) json["slices"] = job.sampling.slices;
+    const EffectSet effects = effects_in(job);
+    if (effects.has(Effect::base) && !job.without.has(Effect::base) && is_layered(job.material.mechanism))
+        json["base_directions"] = job.sampling.hemisphere;
+    if (job.sampling.sizes > 1) json["radii"] = job.sampling.sizes;
     for (const PickedColour& picked : job.material.picked) json["picked"].push_back(picked_json(picked));
     json["max_de00"] = nullptr;
     if (lut.wish.has_bound) json["max_de00"] = lut.wish.max_de00;

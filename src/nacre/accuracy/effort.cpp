@@ -30,14 +30,15 @@ double samples_per_colour(const Job& job) {
 
 double effort_per_colour(const Job& job) {
     if (std::holds_alternative<Palette>(job.material.mechanism)) return 1.0;
-    return samples_per_colour(job) * effort_per_sample(job.material.mechanism);
+    return samples_per_colour(job) * effort_per_sample(job.material.mechanism, job.sampling.slices);
 }
 
 Effort::Effort(const Job& job) {
     if (std::holds_alternative<Palette>(job.material.mechanism)) return;
-    per_sample_ = effort_per_sample(job.material.mechanism);
-    if (!job.y) return;
+    per_sample_ = effort_per_sample(job.material.mechanism, job.sampling.slices);
     const double per_texel = effort_per_colour(job);
+    most_curve_colours_ = 0.25 * most_effort / per_texel;
+    if (!job.y) return;
     constexpr double fewest = 1 << 13;
     const auto most = static_cast<double>(most_texels_);
     most_texels_ = static_cast<std::int64_t>(std::clamp(0.25 * most_effort / per_texel, fewest, most));

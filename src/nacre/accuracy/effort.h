@@ -23,11 +23,14 @@ public:
     bool is_spent(const Work& work) const;
     /// Whether it is so far beyond that the best so far has to do.
     bool is_far_beyond(const Work& work) const;
+    /// Colours that a curve of them may take before it is no help: a part of that.
+    double most_curve_colours() const { return most_curve_colours_; }
     /// Texels of the largest LUT that is worth trying: in 2D none may take a quarter of all that.
     std::int64_t most_texels() const { return most_texels_; }
 
 private:
     double per_sample_ = 0.0;  // what a reflectance takes, in those of a film; 0: nothing that counts
+    double most_curve_colours_ = 1e9;
     std::int64_t most_texels_ = std::int64_t{1} << 22;
 };
 

@@ -1,5 +1,7 @@
 #include "nacre/accuracy/obstacle.h"
 
+#include <algorithm>
+
 #include "nacre/bake/text.h"
 
 namespace nacre {
@@ -30,7 +32,13 @@ std::string obstacle(const SettledLut& settled, const SearchEnd& end) {
     const Job& job = settled.lut.job;
     const ErrorSplit& split = settled.predicted;
     const auto& wavelengths = job.light->settings.wavelengths;
-    if (split.storage > split.interpolation && split.storage > split.spectrum) {
+    if (split.quadrature > std::max({split.interpolation, split.spectrum, split.storage, split.spread})) {
+        const QuadratureWish& points = settled.lut.wish.points;
+        const bool is_given = points.hemisphere > 0 || points.sizes > 0 || points.slices > 0;
+        return "sums over base, radii or slices cost " + error_text(split.quadrature) +
+               (is_given ? ": give more of them in [accuracy], or none" : ": give a larger bound");
+    }
+    if (split.storage > std::max({split.interpolation, split.spectrum, split.spread})) {
         const bool is_half = settled.lut.format == PixelFormat::half_float;
         return is_half ? "half costs " + error_text(split.storage) + ": use float"
                        : "float costs " + error_text(split.storage) + ": give a larger bound";
@@ -45,11 +53,14 @@ std::string obstacle(const SettledLut& settled, const SearchEnd& end) {
     }
     if (split.spread > split.interpolation) {
         return std::to_string(job.sampling.realisations) + " realisations of an irregular stack cost " +
-               error_text(split.spread) + ": give more in [accuracy] realisations";
+               error_text(split.spread) +
+               (settled.lut.wish.realisations ? ": give more in [accuracy] realisations"
+                                              : ": give a larger bound, or more in [accuracy] realisations");
     }
     if (split.spectrum <= split.interpolation) return between_texels(settled, end);
     if (!std::holds_alternative<Palette>(job.material.mechanism))
-        return integration_text(job) + " cost " + error_text(split.spectrum) + ": leave nodes out, or give more";
+        return integration_text(job) + " cost " + error_text(split.spectrum) +
+               (settled.lut.wish.nodes ? ": leave nodes out, or give more" : ": give a larger bound");
     return "the fast integral costs " + error_text(split.spectrum) + ": use integral = \"exact\"";
 }
 

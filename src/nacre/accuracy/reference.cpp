@@ -166,7 +166,10 @@ Xyz Reference::layered(const Mechanism& mechanism, const Incidence& incidence) c
     const double range_per_nm = 1.0 / light.first_nm - 1.0 / light.last_nm;
     const double path_nm = fringe_count(mechanism, light) / range_per_nm;
     // Towards grazing light every face is a mirror, and fringes become sharp.
-    const double phase_step = longest_phase * std::clamp(4.0 * incidence.cos_theta, 0.02, 1.0);
+    // Of many layers and fringes that would be a multitude.
+    const double path_fringes = fringe_count(mechanism, light);
+    const double finest = std::clamp(1e-4 * path_fringes * expanded_layers(ensemble.systems.front()), 0.002, 0.02);
+    const double phase_step = longest_phase * std::clamp(4.0 * incidence.cos_theta, finest, 1.0);
     Xyz sum;
     std::vector<double> wavelengths_nm;
     std::vector<double> shares;

@@ -89,7 +89,7 @@ Xyz Reference::lines(const Grating& grating, double u) const {
     constexpr double waves_per_step = 0.2;
     const LightSettings& light = job_.light->settings;
     const double across = grating.azimuth_deg * pi / 180.0;
-    const double path_nm = u * std::cos(across) * grating.period_nm;
+    const double path_nm = u * share_across(grating) * grating.period_nm;
     const double along_nm = 1e3 * grating.groove_length_um * u * std::sin(across);
     Xyz sum;
     const auto add = [&](int order, double nm, double length_nm, bool is_mean) {
@@ -104,7 +104,9 @@ Xyz Reference::lines(const Grating& grating, double u) const {
             for (double left = light.first_nm; left < light.last_nm;) {
                 const double t = grating.grooves * (path_nm / left - order);
                 const double per_nm = grating.grooves * path_nm / (left * left);
-                const bool is_far = t > far + per_nm || t < -far;
+                // Where ripples are broad it takes them all: nothing averages them, and there may be no other light.
+                constexpr double least_ripples_per_nm = 0.05;
+                const bool is_far = per_nm > least_ripples_per_nm && (t > far + per_nm || t < -far);
                 const double whole = std::min(std::floor(left) + 1.0, static_cast<double>(light.last_nm));
                 double right = whole;
                 if (!is_far) right = std::min(whole, left + waves_per_step / std::max(per_nm, 1e-9));

@@ -165,8 +165,19 @@ private:
         if (job().y) return;
         Job model = job();
         model.integral = Integral::exact;
-        curve_.emplace(model, share_of_curve * wish_.max_de00, scale_, after_step_);
-        result_.work += curve_->work();
+        struct TooDear {};
+        double colours = 0.0;
+        const auto after_step = [&] {
+            constexpr double per_step = 15.0;
+            if (after_step_) after_step_();
+            if ((colours += per_step) > effort_.most_curve_colours()) throw TooDear();
+        };
+        try {
+            curve_.emplace(model, share_of_curve * wish_.max_de00, scale_, after_step);
+            result_.work += curve_->work();
+        } catch (const TooDear&) {
+            curve_.reset();  // texels are computed one by one, as far as there is time
+        }
     }
 
     // What the fast integral errs by where the survey did not look.
@@ -327,6 +338,9 @@ private:
             least = std::min(least.value_or(scan.largest), scan.largest);
             take(candidate, trial, std::move(scan));
         }
+        // What is left for texels may be so little that no candidate was taken as good, and the sum still fits.
+        const double bound = (job().y ? of_bound_in_2d : of_bound_in_1d) * wish_.max_de00;
+        result_.is_reached = least && result_.predicted.total <= bound;
     }
 
     void name_sources() {

@@ -34,6 +34,10 @@ constexpr std::array<std::array<double, 6>, band_least_cos_theta.size()> probe_s
      {0.53, 0.47, 0.4, 0.34, 0.28, 0.23},
      {0.21, 0.17, 0.14, 0.11, 0.09, 0.07},
      {0.06, 0.045, 0.03, 0.02, 0.01, 0.005}}};
+// Next to grazing, fringes hit nodes or miss them: it takes many angles to meet a bad one.
+constexpr std::array more_grazing_sqrt_cos{0.0561, 0.0523, 0.0487, 0.0421, 0.0377, 0.0333, 0.0271, 0.0237,
+                                           0.0213, 0.0177, 0.0153, 0.0131, 0.0113, 0.0087, 0.0073, 0.0061,
+                                           0.0047, 0.0041, 0.0037, 0.0029, 0.0023, 0.0017, 0.0011, 0.0007};
 // Facets' means are cheap, and differ most at grazing and where the colour of a facet bends: they are probed at so many
 // even steps, at some beside 0, and at bends.
 constexpr int tilt_probe_steps = 256;
@@ -108,6 +112,9 @@ private:
                 geometries = {job_.fixed};
             } else if (quantity == Quantity::incidence) {
                 for (const double s : probe_sqrt_cos[band]) geometries.push_back(Incidence::from_sqrt_cos(s));
+                if (band + 1 == bands_.size()) {
+                    for (const double s : more_grazing_sqrt_cos) geometries.push_back(Incidence::from_sqrt_cos(s));
+                }
             } else if (band == 0) {
                 constexpr int count = 17;
                 const AxisKind& kind = default_axis_kind(quantity);
@@ -192,7 +199,7 @@ private:
                 chosen_.sampling.nodes[band] = chosen_.sampling.nodes.front();
                 continue;
             }
-            choose_nodes(band, fewest, patience(band) * tolerance_.nodes);
+            choose_nodes(band, fewest, band_patience[band] * tolerance_.nodes, share_of_grazed(band));
             fewest = chosen_.sampling.nodes[band]->count;
         }
         if (wish_.nodes.front() > 0) take_nodes(wish_.nodes);
@@ -200,16 +207,16 @@ private:
     }
 
     // What of a surface's facets is seen within so small a cosine goes with its square: of facets that lean every way,
-    // those that are grazed hardly count.
-    double patience(std::size_t band) const {
+    // those that are grazed hardly count, nor does what they err by.
+    double share_of_grazed(std::size_t band) const {
         constexpr double rad_per_deg = 0.017453292519943295;
-        constexpr double most = 1e3;
+        constexpr double least = 1e-3;
         double least_tilt_deg = 90.0;
         for (const Probes& probes : bands_[band])
             least_tilt_deg = std::min(least_tilt_deg, probes.mechanism.effects.tilt_deg);
-        if (band == 0 || !(least_tilt_deg > 0.0)) return band_patience[band];
-        const double spread = std::sin(least_tilt_deg * rad_per_deg) / band_least_cos_theta[band - 1];
-        return band_patience[band] * std::clamp(spread * spread, 1.0, most);
+        if (band == 0 || !(least_tilt_deg > 0.0)) return 1.0;
+        const double share = band_least_cos_theta[band - 1] / std::sin(least_tilt_deg * rad_per_deg);
+        return std::clamp(share * share, least, 1.0);
     }
 
     bool is_uneven() const {
@@ -218,7 +225,8 @@ private:
     }
 
     // The first count that the next two agree with.
-    void choose_nodes(std::size_t band, int fewest, double tolerance) {
+    // @param share  of the error that is seen
+    void choose_nodes(std::size_t band, int fewest, double tolerance, double share) {
         double fringes = 0.0;
         for (const Probes& probes : bands_[band]) {
             if (!is_layered(probes.mechanism)) break;
@@ -237,8 +245,9 @@ private:
             tries.push_back({these, colours(band, with_nodes(these))});
             if (tries.size() < 3) continue;
             const Try& candidate = tries[tries.size() - 3];
-            const double error = std::max(largest_difference(candidate.colours, tries.back().colours),
-                                          largest_difference(tries[tries.size() - 2].colours, tries.back().colours));
+            const double error =
+                share * std::max(largest_difference(candidate.colours, tries.back().colours),
+                                 largest_difference(tries[tries.size() - 2].colours, tries.back().colours));
             const bool may_go_on = count < most_nodes_of(band, fringes) && effort() < most_effort;
             if (error > tolerance && may_go_on) continue;
             chosen_.sampling.nodes[band] = candidate.nodes;
@@ -249,7 +258,7 @@ private:
 
     // At grazing, fringes that are too sharp for any grid reflect everything but a trace.
     static int most_nodes_of(std::size_t band, double fringes) {
-        if (band < 2) return most_nodes;
+        if (band != 2) return most_nodes;  // of the last there is so little that they do not cost
         constexpr double per_fringe = 64.0;
         constexpr int at_least = 16384;
         return std::min(most_nodes, std::max(at_least, static_cast<int>(per_fringe * fringes)));
@@ -262,7 +271,7 @@ private:
             const Colours good = colours(band, with_nodes(chosen_.sampling.nodes[band]));
             chosen_.sampling.nodes[band] = nodes(counts[band]);
             const Colours taken = colours(band, with_nodes(chosen_.sampling.nodes[band]));
-            chosen_.error = std::max(chosen_.error, largest_difference(taken, good));
+            chosen_.error = std::max(chosen_.error, share_of_grazed(band) * largest_difference(taken, good));
         }
     }
 
@@ -293,24 +302,24 @@ private:
         }
     }
 
-    // Against the surface with all its other effects, whose thicknesses are even: averaging only smooths.
+    // Against the surface with all its other effects. A few uneven layers stand for a spread of thicknesses.
     double contribution_of(Effect effect, std::array<Colours, band_least_cos_theta.size()>& whole) {
         double largest = 0.0;
         for (std::size_t band = 0; band < bands_.size(); ++band) {
             if (bands_[band].empty()) continue;
-            if (whole[band].empty()) whole[band] = colours(band, chosen_.sampling);
-            Colours other;
+            SpectralSampling sampling = chosen_.sampling;
             if (effect == Effect::thickness_spread) {
-                SpectralSampling uneven = chosen_.sampling;
-                uneven.realisations = realisations_of_a_look;
-                other = colours(band, uneven);
-            } else {
-                EffectSet less;
-                less.insert(effect);
-                SpectralSampling sampling = chosen_.sampling;
-                if (effect == Effect::incoherent_layers) sampling.blurred.clear();  // they may be nodes that are gone
-                other = colours(band, sampling, less);
+                sampling.realisations = realisations_of_a_look;
+                const Colours even = colours(band, chosen_.sampling);
+                largest = std::max(largest, largest_difference(colours(band, sampling), even));
+                continue;
             }
+            sampling.realisations = realisations_for_nodes;
+            if (whole[band].empty()) whole[band] = colours(band, sampling);
+            if (effect == Effect::incoherent_layers) sampling.blurred.clear();  // they may be nodes that are gone
+            EffectSet less;
+            less.insert(effect);
+            const Colours other = colours(band, sampling, less);
             largest = std::max(largest, largest_difference(other, whole[band]));
         }
         return largest;
@@ -401,7 +410,16 @@ private:
         }
     }
     // Of a sum whose error is the quadrature's.
-    int choose_quadrature(std::span<const int> list, const std::function<Colours(int)>& seen) {
+    // @param wish  what the user insists on, held against twice and thrice as many; 0: nothing
+    int choose_quadrature(std::span<const int> list, int wish, const std::function<Colours(int)>& seen) {
+        constexpr int beyond_doubt = 512;
+        if (wish > beyond_doubt) return wish;
+        if (wish > 0) {
+            const Colours taken = seen(wish);
+            chosen_.quadrature_error +=
+                std::max(largest_difference(taken, seen(2 * wish)), largest_difference(taken, seen(3 * wish)));
+            return wish;
+        }
         const Choice choice = choose_points(list, tolerance_.quadrature, seen);
         chosen_.quadrature_error += choice.error;
         return choice.points;
@@ -409,25 +427,22 @@ private:
 
     // Before anything else of a crystal: with nodes that are enough to see what slices change.
     void choose_slices() {
-        if (wish_.points.slices > 0) {
-            chosen_.sampling.slices = wish_.points.slices;
-            return;
-        }
+        // Two per fringe: what is missed of a fringe is missed of all slices alike.
         constexpr int enough_nodes = 64;
-        const auto look = nodes(enough_nodes);
-        chosen_.sampling.slices = choose_quadrature(slice_counts, [&](int count) {
+        constexpr double most_look_nodes = 4096.0;
+        const double fringes = fringe_count(bands_.front().front().mechanism, job_.light->settings);
+        const auto look = nodes(std::max(enough_nodes, static_cast<int>(std::min(2.0 * fringes, most_look_nodes))));
+        per_sample_ = effort_per_sample(job_.material.mechanism, slice_counts.back());
+        chosen_.sampling.slices = choose_quadrature(slice_counts, wish_.points.slices, [&](int count) {
             SpectralSampling sampling = with_nodes(look);
             sampling.slices = count;
             return colours(0, sampling);
         });
+        per_sample_ = effort_per_sample(job_.material.mechanism, chosen_.sampling.slices);
     }
 
     void choose_hemisphere() {
-        if (wish_.points.hemisphere > 0) {
-            chosen_.sampling.hemisphere = wish_.points.hemisphere;
-            return;
-        }
-        chosen_.sampling.hemisphere = choose_quadrature(hemisphere_points, [&](int points) {
+        chosen_.sampling.hemisphere = choose_quadrature(hemisphere_points, wish_.points.hemisphere, [&](int points) {
             SpectralSampling sampling = chosen_.sampling;
             sampling.hemisphere = points;
             return colours(0, sampling, chosen_.without);
@@ -436,12 +451,8 @@ private:
 
     void choose_sizes() {
         constexpr int enough_nodes = 48;
-        if (wish_.points.sizes > 0) {
-            chosen_.sampling.sizes = wish_.points.sizes;
-            return;
-        }
         const auto look = nodes(enough_nodes);
-        chosen_.sampling.sizes = choose_quadrature(size_points, [&](int points) {
+        chosen_.sampling.sizes = choose_quadrature(size_points, wish_.points.sizes, [&](int points) {
             SpectralSampling sampling = with_nodes(look);
             sampling.sizes = points;
             return colours(0, sampling);

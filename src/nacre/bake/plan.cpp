@@ -198,6 +198,12 @@ private:
                 plan_.warnings.push_back(where +
                                          "no order of the grating that counts can be seen: its grooves are too close "
                                          "together, and everything that shows it is black");
+            } else if (2.0 * share_across(*grating) * grating->period_nm <
+                       counted_orders(*grating, plan_.light->settings.first_nm).front() *
+                           static_cast<double>(plan_.light->settings.first_nm)) {
+                plan_.warnings.push_back(where +
+                                         "no order of the grating that counts can be seen at its azimuth_deg, so far "
+                                         "beside the plane across the grooves, and what shows it there is black");
             } else if (grating->azimuth_deg > 0.0 && grating->groove_length_um == 0.0) {
                 plan_.warnings.push_back(where +
                                          "endless grooves send no light aside, and everything that shows them from "

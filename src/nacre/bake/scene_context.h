@@ -19,10 +19,10 @@ struct SceneContext {
     IndexReader index;
     CurveReader read_curve;
     SpectraReader read_spectra;
-    ColourReader read_colour;
-    LobeReader find_lobe;
+    ColourReader read_colour{};
+    LobeReader find_lobe{};
     /// Called for every pick that is a colour.
-    std::function<void(const PickedColour&)> note_picked;
+    std::function<void(const PickedColour&)> note_picked{};
 };
 
 }  // namespace nacre

@@ -62,7 +62,8 @@ bool is_irregular(const Mechanism& mechanism);
 double fringe_count(const Mechanism& mechanism, const LightSettings& light);
 
 /// What a reflectance at one wavelength takes, in units of a film's.
-double effort_per_sample(const Mechanism& mechanism);
+/// @param slices  per plane of a crystal
+double effort_per_sample(const Mechanism& mechanism, int slices = default_slices);
 
 /// Beyond this no grid of ours resolves them: a coherent slab of some 7 mm of glass.
 inline constexpr double most_fringes = 32768.0;

@@ -138,8 +138,8 @@ double panel_reduction(const Job& job) {
     Sampler sampler(job);
     sampler.at(0.5, 0.5);
     const double pixels = static_cast<double>(job.width) * job.height;
-    const double effort =
-        pixels * static_cast<double>(sampler.work().samples) * effort_per_sample(mechanism_at(job, 0.5, 0.5));
+    const double effort = pixels * static_cast<double>(sampler.work().samples) *
+                          effort_per_sample(mechanism_at(job, 0.5, 0.5), job.sampling.slices);
     return std::max(1.0, std::sqrt(effort / most_panel_effort));
 }
 

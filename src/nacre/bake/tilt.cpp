@@ -99,19 +99,30 @@ void integrate(const std::vector<double>& borders, int degree, const Sink& sink)
     }
 }
 
-// Degrees that a blur leaves: of 1e-12 on, or, where facets at right angles are not rare, of what their end rings like.
+// Where facets at right angles are not rare: so many degrees are left of what their end rings like.
+constexpr int degree_of_an_end = 400;
+
+bool has_end(double tilt) {
+    return 0.5 * std::numbers::pi < most_deviations * tilt;
+}
+
+// Degrees that a blur leaves: of 1e-12 on.
 int degree_after(double tilt) {
     constexpr double gone = 7.5;
-    constexpr int of_an_end = 400;
-    const bool has_end = 0.5 * std::numbers::pi < most_deviations * tilt;
     const int degree = static_cast<int>(std::ceil(gone / tilt));
-    return has_end ? std::max(degree, of_an_end) : degree;
+    return has_end(tilt) ? degree_of_an_end : degree;
+}
+
+double density(double tau, double tilt) {
+    return std::exp(-0.5 * (tau / tilt) * (tau / tilt));
 }
 
 }  // namespace
 
 void FacetColours::expand(int degree) {
     if (static_cast<int>(series_.size()) > degree) return;
+    // Others, somewhat less tilted, come next.
+    degree = std::max(2 * degree, 64);
     series_.assign(static_cast<std::size_t>(degree) + 1, Term{});
     std::vector<double> angles;
     for (const double s : colour_.borders()) angles.push_back(std::acos(s * s));
@@ -131,17 +142,53 @@ void FacetColours::expand(int degree) {
     });
 }
 
+// What a blur keeps of every degree, times what there are of facets.
+std::vector<double> FacetColours::kept_after(double tilt, int degree) {
+    std::vector<double> kept(static_cast<std::size_t>(degree) + 1);
+    if (!has_end(tilt)) {
+        // 49 radians of ripple at most: Gauss's points do in one piece.
+        constexpr int points = 56;
+        const double steepest = most_deviations * tilt;
+        for (const GaussPoint& point : unit_gauss_legendre(points)) {
+            const double tau = steepest * point.at;
+            const double weight = steepest * point.weight * density(tau, tilt) * std::sin(tau);
+            legendre(std::cos(tau), degree,
+                     [&](int l, double value) { kept[static_cast<std::size_t>(l)] += weight * value; });
+        }
+        return kept;
+    }
+    if (!wide_) {
+        constexpr int points = 420;
+        Wide wide;
+        wide.legendre.resize(points * kept.size());
+        for (const GaussPoint& point : unit_gauss_legendre(points)) {
+            const std::size_t column = wide.tau.size();
+            wide.tau.push_back(0.5 * std::numbers::pi * point.at);
+            wide.weight.push_back(0.5 * std::numbers::pi * point.weight * std::sin(wide.tau.back()));
+            legendre(std::cos(wide.tau.back()), degree, [&](int l, double value) {
+                wide.legendre[static_cast<std::size_t>(l) * points + column] = value;
+            });
+        }
+        wide_ = std::make_shared<const Wide>(std::move(wide));
+    }
+    std::vector<double> weight = wide_->weight;
+    for (std::size_t i = 0; i < weight.size(); ++i) weight[i] *= density(wide_->tau[i], tilt);
+    for (std::size_t l = 0; l < kept.size(); ++l) {
+        const double* row = &wide_->legendre[l * weight.size()];
+        double sums[4] = {};
+        for (std::size_t i = 0; i < weight.size(); i += 4) {
+            for (std::size_t k = 0; k < 4; ++k) sums[k] += weight[i + k] * row[i + k];
+        }
+        kept[l] = (sums[0] + sums[1]) + (sums[2] + sums[3]);
+    }
+    return kept;
+}
+
 void FacetColours::blur(double tilt_deg) {
     const double tilt = tilt_deg * rad_per_deg;
     const int degree = degree_after(tilt);
     expand(degree);
-    std::vector<double> kept(static_cast<std::size_t>(degree) + 1);
-    const double steepest = std::min(most_deviations * tilt, 0.5 * std::numbers::pi);
-    integrate({0.0, 0.25 * steepest, 0.5 * steepest, steepest}, degree, [&](double tau, double weight) {
-        const double density = weight * std::exp(-0.5 * (tau / tilt) * (tau / tilt)) * std::sin(tau);
-        legendre(std::cos(tau), degree,
-                 [&](int l, double value) { kept[static_cast<std::size_t>(l)] += density * value; });
-    });
+    const std::vector<double> kept = kept_after(tilt, degree);
     blurred_.assign(series_.begin(), series_.begin() + degree + 1);
     for (std::size_t l = 0; l < blurred_.size(); ++l) {
         for (double& part : blurred_[l]) part *= kept[l] / kept[0];

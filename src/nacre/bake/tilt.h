@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -63,7 +64,16 @@ private:
 
     XyzCurve colour_;
     std::vector<Term> series_;  // per degree, of colour times cosine
-    double blurred_deg_ = 0.0;  // the tilt that `blurred_` is for
+    std::vector<double> kept_after(double tilt, int degree);
+
+    // P_l at Gauss's points between normal and right angles, all points of a degree in a row.
+    struct Wide {
+        std::vector<double> tau;
+        std::vector<double> weight;  // sin(tau) included
+        std::vector<double> legendre;
+    };
+    std::shared_ptr<const Wide> wide_;  // made when a tilt asks for it
+    double blurred_deg_ = 0.0;          // the tilt that `blurred_` is for
     std::vector<Term> blurred_;
 };
 

@@ -50,7 +50,7 @@ std::vector<std::string> table_row(const SettledTask& task, double seconds) {
 }
 
 // "errors of morpho: interpolation 0.089, storage 0.032", the largest first.
-std::string error_line(const SettledTask& task) {
+std::vector<std::string> error_lines(const SettledTask& task) {
     const ErrorSplit& split = task.lut.predicted;
     std::vector<std::pair<double, std::string_view>> parts{{split.spectrum, "spectrum"},
                                                            {split.spread, "spread of thicknesses"},
@@ -60,11 +60,19 @@ std::string error_line(const SettledTask& task) {
                                                            {split.storage, "storage"}};
     std::stable_sort(parts.begin(), parts.end(),
                      [](const auto& one, const auto& other) { return one.first > other.first; });
-    std::string text;
+    constexpr std::size_t most_columns = 100;
+    std::vector<std::string> lines{"errors of " + task.lut.lut.name + ":"};
+    bool any = false;
     for (const auto& [error, name] : parts) {
-        if (error > 0.0) text += (text.empty() ? "" : ", ") + std::string(name) + " " + short_number(error);
+        if (!(error > 0.0)) continue;
+        const std::string text = std::string(name) + " " + short_number(error);
+        if (any) lines.back() += ",";
+        if (lines.back().size() + 2 + text.size() > most_columns) lines.emplace_back("   ");
+        lines.back() += " " + text;
+        any = true;
     }
-    return "errors of " + task.lut.lut.name + ": " + (text.empty() ? "none" : text);
+    if (!any) lines.back() += " none";
+    return lines;
 }
 
 nlohmann::ordered_json axis_json(const Axis& axis) {
@@ -191,7 +199,9 @@ int run_plan(const PlanOptions& options, Console& console) {
         rows.push_back(table_row(task, seconds));
         json.push_back(task_json(task, seconds));
         json.back()["effects"] = effects_json(effects);
-        if (task.scene->transform.has_way_back()) effect_text.push_back(error_line(task));
+        if (task.scene->transform.has_way_back()) {
+            for (std::string& line : error_lines(task)) effect_text.push_back(std::move(line));
+        }
         for (std::string& line : effect_lines(task.lut.lut.name, effects)) effect_text.push_back(std::move(line));
         effect_text.emplace_back();
     }

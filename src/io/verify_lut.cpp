@@ -26,8 +26,10 @@ constexpr std::array required_attributes{"version",          "scene",           
 
 // What only says where the transform came from, or which program wrote it.
 bool is_about_origin(const std::string& name) {
-    // What was measured about effects when they were chosen; the scene in the header has the choice itself.
-    return name == "version" || name == "colourConfig" || name == "colourConfigHash" || name == "effects";
+    // What was measured about effects when they were chosen, and the colours that picks were given as: the scene in the
+    // header has the choice itself, and the bands that the colours became.
+    return name == "version" || name == "colourConfig" || name == "colourConfigHash" || name == "effects" ||
+           name == "picked";
 }
 
 Plan plan_of_header(const StoredLut& stored) {

@@ -325,7 +325,8 @@ private:
         }
         for (const Candidate& candidate : best_first) {
             if (any_is_small && !is_quickly_judged(candidate)) continue;
-            if (least && effort_.is_far_beyond(result_.work)) break;
+            const bool is_of_size_taken = candidate.width == job().width && candidate.height == job().height;
+            if (least && effort_.is_far_beyond(result_.work) && !is_of_size_taken) break;
             Trial trial = trial_of(job(), candidate);
             const double enough = least ? 1.05 * *least : std::numeric_limits<double>::infinity();
             Scan scan =

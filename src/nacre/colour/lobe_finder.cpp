@@ -149,6 +149,8 @@ LobeFinder::Place LobeFinder::start_in(std::uint32_t triangle, Uv target, double
     const double area = bu * cv - bv * cu;
     const double beta = (tu * cv - tv * cu) / area;
     const double gamma = (bu * tv - bv * tu) / area;
+    outside = std::numeric_limits<double>::infinity();
+    if (!std::isfinite(beta) || !std::isfinite(gamma)) return {};  // its corners lie on a line
     outside = std::max({-beta, -gamma, beta + gamma - 1.0});
     if (!(outside <= most_outside)) return {};
     return clamped(
@@ -173,11 +175,12 @@ bool LobeFinder::solve(Uv target, Place& place) const {
         const double uu = (by_peak.u - here.u) / step_nm, vu = (by_peak.v - here.v) / step_nm;
         const double us = (by_spread.u - here.u) / step_spread, vs = (by_spread.v - here.v) / step_spread;
         const double area = uu * vs - vu * us;
-        if (area == 0.0) return false;
+        const double nm = (u * vs - v * us) / area, spread = (uu * v - vu * u) / area;
+        if (!std::isfinite(nm) || !std::isfinite(spread)) return false;
         constexpr double longest_nm = 20.0;
         constexpr double longest_spread = 0.1;
-        place = clamped({place.peak_nm + std::clamp((u * vs - v * us) / area, -longest_nm, longest_nm),
-                         place.spread + std::clamp((uu * v - vu * u) / area, -longest_spread, longest_spread)});
+        place = clamped({place.peak_nm + std::clamp(nm, -longest_nm, longest_nm),
+                         place.spread + std::clamp(spread, -longest_spread, longest_spread)});
     }
     const Uv here = uv_of(colour_of(place));
     return std::abs(target.u - here.u) + std::abs(target.v - here.v) < near_enough;
@@ -277,6 +280,12 @@ LobeMatch LobeFinder::refined(const Lab& target, Place start) const {
             auto damped = normal;
             for (std::size_t i = 0; i < 3; ++i) damped[i][i] += damping * (normal[i][i] + 1e-3);
             const auto move = solve3(damped, gradient);
+            const bool is_usable =
+                std::all_of(move.begin(), move.end(), [](double value) { return std::isfinite(value); });
+            if (!is_usable) {  // nothing changes with any of them
+                damping *= 8.0;
+                continue;
+            }
             std::array there = here;
             for (std::size_t i = 0; i < 3; ++i)
                 there[i] = std::clamp(here[i] - std::clamp(move[i], -3.0, 3.0) * unit_step[i], low[i], high[i]);

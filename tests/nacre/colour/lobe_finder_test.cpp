@@ -1,0 +1,177 @@
+// Colours to lobes: lobes come back, and what no lobe has is as near as an exhaustive search of all lobes finds.
+#include "nacre/colour/lobe_finder.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "nacre/bake/light.h"
+#include "nacre/colour/illuminant.h"
+
+namespace nacre {
+namespace {
+
+Light light_of(const std::string& illuminant) {
+    LightSettings settings;
+    settings.illuminant = illuminant;
+    settings.power = *illuminant_by_name(illuminant);
+    return make_light(settings);
+}
+
+const Light& daylight() {
+    static const Light light = light_of("D65");
+    return light;
+}
+
+const LobeFinder& finder() {
+    static const LobeFinder finder(daylight().weights, daylight().moments, daylight().adaptation);
+    return finder;
+}
+
+// The same on every platform.
+class Random {
+public:
+    double between(double low, double high) { return low + (high - low) * (static_cast<double>(generator_()) / 4294967296.0); }
+
+private:
+    std::mt19937 generator_{11};
+};
+
+Xyz colour_of(const Light& light, double peak_nm, double width_nm, double height) {
+    return adapt(light.adaptation, lobe_to_xyz_per_cell(light.weights, peak_nm, width_nm, height));
+}
+
+double difference(const Xyz& one, const Xyz& other) {
+    const Xyz white = xyz_from_chromaticity(d65_chromaticity);
+    return ciede2000(to_lab(one, white), to_lab(other, white));
+}
+
+// IEC 61966-2-1.
+Xyz random_srgb(Random& random) {
+    std::array<double, 3> linear{};
+    for (double& component : linear) {
+        const double value = random.between(0.0, 1.0);
+        component = value <= 0.04045 ? value / 12.92 : std::pow((value + 0.055) / 1.055, 2.4);
+    }
+    const auto [r, g, b] = linear;
+    return {0.4123908 * r + 0.3575843 * g + 0.1804808 * b, 0.2126390 * r + 0.7151687 * g + 0.0721923 * b,
+            0.0193308 * r + 0.1191948 * g + 0.9505322 * b};
+}
+
+class LobeFinderUnder : public testing::TestWithParam<const char*> {};
+
+TEST_P(LobeFinderUnder, TakesRandomLobesBackToTheirColour) {
+    const Light light = light_of(GetParam());
+    const LobeFinder under(light.weights, light.moments, light.adaptation);
+    Random random;
+    for (int i = 0; i < 10000; ++i) {
+        const double peak_nm = random.between(380.0, 780.0);
+        const double width_nm = std::exp(random.between(std::log(5.0), std::log(1000.0)));
+        const double height = random.between(0.0, 1.0);
+        const Xyz colour = colour_of(light, peak_nm, width_nm, height);
+        const LobeMatch match = under.find(colour);
+        const std::string what = "lobe " + std::to_string(peak_nm) + " " + std::to_string(width_nm) + " " +
+                                 std::to_string(height) + ", Y " + std::to_string(colour.y);
+        ASSERT_EQ(match.miss, LobeMiss::none) << what << ", off by " << match.de00;
+        const Xyz found = colour_of(light, match.peak_nm, match.width_nm, match.height);
+        ASSERT_LE(difference(colour, found), exact_lobe_de00) << what;
+        ASSERT_NEAR(difference(colour, found), match.de00, 1e-3) << what;
+        ASSERT_TRUE(match.height >= 0.0 && match.height <= 1.0 && match.width_nm >= 0.0 && match.width_nm <= 1000.0);
+        // Narrow ones, and red beyond, have the locus's chromaticity, whatever their width.
+        if (peak_nm < 680.0 && peak_nm > 430.0 && width_nm > 120.0) {
+            ASSERT_GE(match.width_nm, 0.97 * width_nm) << what << ": the widest is asked for";
+        }
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Lights, LobeFinderUnder, testing::Values("D65", "A", "E"),
+                         [](const auto& light) { return std::string(light.param); });
+
+TEST(LobeFinder, IsAsNearAsAnExhaustiveSearch) {
+    const Light& light = daylight();
+    std::vector<Xyz> units;
+    for (double peak_nm = 360.0; peak_nm <= 830.0; peak_nm += 5.0) {
+        for (double spread = 0.03; spread <= 1.0; spread += 0.0194)
+            units.push_back(adapt(light.adaptation, lobe_to_xyz_fast(light.weights, light.moments, peak_nm,
+                                                                     1000.0 * spread * spread, 1.0)));
+    }
+    Random random;
+    int missed = 0;
+    for (int i = 0; i < 40; ++i) {
+        const Xyz colour = random_srgb(random);
+        const LobeMatch match = finder().find(colour);
+        EXPECT_NEAR(difference(colour, colour_of(light, match.peak_nm, match.width_nm, match.height)), match.de00,
+                    1e-3);
+        if (match.miss == LobeMiss::none) continue;
+        ++missed;
+        double best = 1e9;
+        for (const Xyz& unit : units) {
+            for (double height = 0.04; height < 1.001; height += 0.04)
+                best = std::min(best, difference(colour, {height * unit.x, height * unit.y, height * unit.z}));
+        }
+        EXPECT_LE(match.de00, best + 0.05) << colour.x << " " << colour.y << " " << colour.z;
+    }
+    EXPECT_GT(missed, 10);
+}
+
+// README says so.
+TEST(LobeFinder, HasTwoFifthsOfSrgb) {
+    Random random;
+    int exact = 0;
+    for (int i = 0; i < 2000; ++i) exact += finder().find(random_srgb(random)).miss == LobeMiss::none ? 1 : 0;
+    EXPECT_NEAR(exact / 2000.0, 0.43, 0.03);
+}
+
+TEST(LobeFinder, HasAnAnswerForWhatIsNoSurfacesColour) {
+    const Xyz white = xyz_from_chromaticity(d65_chromaticity);
+    const LobeMatch black = finder().find({});
+    EXPECT_EQ(black.height, 0.0);
+    EXPECT_EQ(black.de00, 0.0);
+    EXPECT_EQ(black.miss, LobeMiss::none);
+    // The widest lobe there is falls towards both ends: next to white, never white.
+    const LobeMatch brightest = finder().find(white);
+    EXPECT_NE(brightest.miss, LobeMiss::none);
+    EXPECT_LT(brightest.de00, 15.0);
+    EXPECT_GT(brightest.width_nm, 800.0);
+    // A green that glows.
+    const Xyz green = colour_of(daylight(), 540.0, 100.0, 1.0);
+    const LobeMatch glowing = finder().find({1.5 * green.x, 1.5 * green.y, 1.5 * green.z});
+    EXPECT_EQ(glowing.miss, LobeMiss::bright);
+    EXPECT_GT(glowing.de00, 1.0);
+    const LobeMatch purple = finder().find({0.3, 0.12, 0.3});
+    EXPECT_EQ(purple.miss, LobeMiss::saturated);
+    for (const Xyz& colour : {Xyz{-0.1, 0.1, 0.2},
+                              {0.1, -0.2, 0.1},
+                              {1e4, 1e4, 1e4},
+                              {1e-9, 1e-9, 1e-9},
+                              {0.0, 0.0, 1.0},
+                              {1.0, 0.0, 0.0},
+                              {-5.0, -5.0, -5.0}}) {
+        const LobeMatch match = finder().find(colour);
+        EXPECT_TRUE(std::isfinite(match.de00));
+        EXPECT_TRUE(match.height >= 0.0 && match.height <= 1.0);
+        EXPECT_TRUE(match.width_nm >= 0.0 && match.width_nm <= 1000.0);
+        EXPECT_TRUE(match.peak_nm >= 360.0 && match.peak_nm <= 830.0);
+    }
+}
+
+TEST(Ciede2000Parts, SumToTheDifference) {
+    Random random;
+    for (int i = 0; i < 1000; ++i) {
+        const auto lab = [&] {
+            return Lab{random.between(0.0, 100.0), random.between(-90.0, 90.0), random.between(-90.0, 90.0)};
+        };
+        const Lab one = lab(), other = lab();
+        const auto [l, c, h] = ciede2000_parts(one, other);
+        EXPECT_NEAR(std::sqrt(l * l + c * c + h * h), ciede2000(one, other), 1e-11);
+    }
+}
+
+}  // namespace
+}  // namespace nacre

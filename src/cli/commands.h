@@ -26,6 +26,7 @@ Command add_plan_command(CLI::App& app);
 Command add_cost_command(CLI::App& app);
 Command add_spectrum_command(CLI::App& app);
 Command add_verify_command(CLI::App& app);
+Command add_pick_command(CLI::App& app);
 Command add_snippet_command(CLI::App& app);
 Command add_figures_command(CLI::App& app);
 

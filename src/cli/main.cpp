@@ -55,6 +55,7 @@ int run(int argc, char** argv) {
     add("plan", "what will be baked, how large, how exact, how long", nacre::add_plan_command);
     add("cost", "error against time for every method and size: table, CSV, picture", nacre::add_cost_command);
     add("spectrum", "reflectance spectra, or XYZ, as CSV with 17 digits", nacre::add_spectrum_command);
+    add("pick", "colours at angles to a scene", nacre::add_pick_command);
     add("verify", "derive LUTs again from their headers and compare", nacre::add_verify_command);
     add("snippet", "the shader code that fetches from a LUT", nacre::add_snippet_command);
     add("figures", "the figures of Park & Tsuruno 2014: data, gnuplot scripts and plots", nacre::add_figures_command);

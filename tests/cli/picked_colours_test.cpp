@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
@@ -176,6 +177,48 @@ TEST(PickedColours, StandInThePlanTheHeaderAndTheManifest) {
               std::string::npos);
     const ProgramResult verified = run_nacre({"verify", "out/m.exr"}, here);
     EXPECT_EQ(verified.exit_code, 0) << verified.err;
+}
+
+TEST(Pick, PrintsASceneThatBakes) {
+    const TemporaryFolder folder;
+    const ProgramOptions here{folder.path(), {}, {}, {}};
+    const ProgramResult picked = run_nacre({"pick", "#22cc66@0", "0.1,0.2,0.9@50", "--name", "my.wing"}, here);
+    ASSERT_EQ(picked.exit_code, 0) << picked.err;
+    EXPECT_NE(picked.out.find("{ angle_deg = 0, colour = \"#22cc66\" },  # peak_nm = "), std::string::npos)
+        << picked.out;
+    EXPECT_NE(picked.out.find("colour = [0.1, 0.2, 0.9] },  # "), std::string::npos) << picked.out;
+    folder.file("s.toml", picked.out);
+    const ProgramResult baked = run_nacre({"bake", "s.toml", "-o", "out"}, here);
+    EXPECT_EQ(baked.exit_code, 0) << baked.err;
+    EXPECT_TRUE(std::filesystem::exists(folder.path() / "out" / "my.wing.exr"));
+    EXPECT_TRUE(std::filesystem::exists(folder.path() / "out" / "my.wing_sphere.png"));
+    const ProgramResult json = run_nacre({"--json", "pick", "#22cc66@0", "#1fb5c9@50"}, here);
+    EXPECT_EQ(nlohmann::json::parse(json.out)["picked"].size(), 2u);
+}
+
+TEST(Pick, SaysInOneLineWhatIsWrong) {
+    const auto message_of = [](std::vector<std::string> arguments) {
+        arguments.insert(arguments.begin(), "pick");
+        const ProgramResult result = run_nacre(arguments);
+        EXPECT_EQ(result.exit_code, 2);
+        EXPECT_EQ(result.out, "");
+        return result.err;
+    };
+    EXPECT_EQ(
+        message_of({"#22cc66@0"}),
+        "nacre: #22cc66@0: is one pick; give two or more (the colour at one angle says nothing about the others)\n");
+    EXPECT_EQ(message_of({"#22cc66", "#fff@3"}),
+              "nacre: #22cc66: has no angle; give COLOUR@ANGLE, as in \"#22cc66@0\"\n");
+    EXPECT_EQ(message_of({"green@0", "#fff@3"}),
+              "nacre: green@0: \"green\" is no colour; give \"#rrggbb\", \"#rgb\" or r,g,b\n");
+    EXPECT_EQ(message_of({"#fff@91", "#fff@3"}),
+              "nacre: #fff@91: the angle is out of range; allowed [0, 90] degrees\n");
+    EXPECT_EQ(message_of({"#fff@x", "#fff@3"}),
+              "nacre: #fff@x: \"x\" is no angle; give COLOUR@ANGLE, as in \"#22cc66@0\"\n");
+    EXPECT_NE(message_of({"#f0f@0", "#2c2@3", "--strict"}).find("nacre: #f0f@0: the nearest band is CIEDE2000 "),
+              std::string::npos);
+    EXPECT_NE(message_of({"#2f2@0", "#2c2@0"}).find("different colours at one angle"), std::string::npos);
+    EXPECT_NE(message_of({"#2f2@0", "#2c2@9", "--space", "lin_rec907"}).find("lin_rec907"), std::string::npos);
 }
 
 }  // namespace

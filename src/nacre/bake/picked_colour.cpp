@@ -4,17 +4,13 @@
 #include <array>
 #include <cctype>
 
+#include "nacre/bake/hex_colour.h"
 #include "nacre/bake/names.h"
 #include "nacre/bake/text.h"
 
 namespace nacre {
-namespace {
 
-// What a half holds.
-constexpr Allowed allowed_component{-65504.0, 65504.0};
-
-// "#rgb" or "#rrggbb"; components in [0, 1].
-std::optional<Rgb> parse_hex(const std::string& text) {
+std::optional<Rgb> parse_hex_colour(const std::string& text) {
     if (text.size() != 4 && text.size() != 7) return {};
     if (text.front() != '#') return {};
     std::vector<int> digits;
@@ -29,9 +25,14 @@ std::optional<Rgb> parse_hex(const std::string& text) {
     return Rgb{component(0), component(1), component(2)};
 }
 
+namespace {
+
+// What a half holds.
+constexpr Allowed allowed_component{-65504.0, 65504.0};
+
 Rgb read_components(const Table& pick, const Value& value) {
     if (const auto* text = std::get_if<std::string>(&value.data)) {
-        if (const auto colour = parse_hex(*text)) return *colour;
+        if (const auto colour = parse_hex_colour(*text)) return *colour;
         pick.fail(value.where, "colour = " + in_quotes(*text) + " is none; give \"#rrggbb\", \"#rgb\" or [r, g, b]");
     }
     const Value::Array& list = pick.checked_array("colour", value);

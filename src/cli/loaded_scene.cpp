@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "cli/stop_signal.h"
 #include "io/picked_colours.h"
 #include "io/scene_file.h"
 #include "nacre/bake/names.h"
@@ -42,7 +43,7 @@ void check_names(const std::vector<std::string>& only, const std::vector<LoadedS
 
 LoadedScene load_scene(const std::string& path, const std::string& ocio, bool want_swatches,
                        const std::vector<std::string>& only, bool strict, Console& console) {
-    Plan plan = plan_scene(read_scene_file(path), scene_files_with_colours(path, ocio), {only, false, strict});
+    Plan plan = plan_scene(read_scene_file(path), scene_files_with_colours(path, ocio, throw_if_stopped), {only, false, strict});
     for (const std::string& warning : plan.warnings) console.warning(warning);
     const ColourConfig config = ColourConfig::open(config_choice(plan.colour, path, ocio));
     const std::string where = plan.colour.space_where.line > 0 ? plan.colour.space_where.text() + " [colour]" : path;

@@ -1,129 +1,227 @@
 #include <algorithm>
-#include <cctype>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
 #include "cli/commands.h"
+#include "cli/found_report.h"
+#include "cli/pick_scene.h"
+#include "cli/picked_swatch.h"
 #include "cli/settled_luts.h"
+#include "cli/stop_signal.h"
+#include "cli/text_table.h"
 #include "io/baked_lut.h"
+#include "io/least_squares.h"
 #include "io/picked_colours.h"
 #include "io/scene_file.h"
-#include "nacre/bake/hex_colour.h"
+#include "io/spectra_csv.h"
+#include "nacre/bake/band.h"
+#include "nacre/bake/mechanism.h"
 #include "nacre/bake/names.h"
 #include "nacre/bake/text.h"
+#include "nacre/colour/illuminant.h"
 #include "nacre/error.h"
+#include "nacre/fit/fit_palette.h"
 
 namespace nacre {
 namespace {
 
-struct PickOptions {
-    std::vector<std::string> picks;
-    std::string space;
-    std::string name = "picked";
-    std::string ocio;
-    bool strict = false;
-};
+// What messages call the scene that the command line stands for.
+constexpr const char* scene_name = "picks";
 
-// One argument, COLOUR@ANGLE, as the scene has it.
-struct Argument {
-    std::string text;
-    std::string colour;  // "\"#rrggbb\"" or "[r, g, b]"
-    double angle_deg = 0.0;
-};
-
-double number_in(const std::string& text, const std::string& argument, const char* what) {
-    double value = 0.0;
-    if (!text.empty() && CLI::detail::lexical_cast(text, value)) return value;
-    throw Error(argument + ": " + in_quotes(text) + " is no " + what + "; give COLOUR@ANGLE, as in \"#22cc66@0\"");
+Plan plan_of(const std::string& scene, const PickOptions& options) {
+    PlanRequest request;
+    request.all_materials = true;
+    return plan_scene(parse_scene(scene, scene_name),
+                      scene_files_with_colours(scene_name, options.ocio, throw_if_stopped), request);
 }
 
-// "#rrggbb", "#rgb" or three numbers with commas between.
-std::string colour_in(const std::string& text, const std::string& argument) {
-    if (parse_hex_colour(text)) return toml_string(text);
-    if (std::count(text.begin(), text.end(), ',') != 2)
-        throw Error(argument + ": " + in_quotes(text) + " is no colour; give \"#rrggbb\", \"#rgb\" or r,g,b");
-    std::string list = "[";
-    std::size_t begin = 0;
-    for (int component = 0; component < 3; ++component) {
-        const std::size_t end = std::min(text.find(',', begin), text.size());
-        list +=
-            (component > 0 ? ", " : "") + number_text(number_in(text.substr(begin, end - begin), argument, "number"));
-        begin = end + 1;
-    }
-    return list + "]";
+bool is_palette(const PickOptions& options) {
+    return options.mechanism.empty() || options.mechanism == "palette";
 }
 
-Argument parse_argument(const std::string& text) {
-    const std::size_t at = text.rfind('@');
-    if (at == std::string::npos) throw Error(text + ": has no angle; give COLOUR@ANGLE, as in \"#22cc66@0\"");
-    Argument argument{text, colour_in(text.substr(0, at), text), number_in(text.substr(at + 1), text, "angle")};
-    if (!(argument.angle_deg >= 0.0 && argument.angle_deg <= 90.0))
-        throw Error(text + ": the angle is out of range; allowed [0, 90] degrees");
-    return argument;
+// The material's lines as the command line gives them.
+std::string asked_lines(const PickOptions& options) {
+    std::string lines;
+    if (!options.mechanism.empty()) lines += "mechanism = " + toml_string(options.mechanism) + "\n";
+    for (const std::string& line : options.with) lines += line + "\n";
+    return lines;
 }
 
-std::string heading(const char* kind, const std::string& name) {
-    const bool is_bare = !name.empty() && std::all_of(name.begin(), name.end(), [](unsigned char character) {
-        return std::isalnum(character) != 0 || character == '_' || character == '-';
-    });
-    return "[" + std::string(kind) + "." + (is_bare ? name : toml_string(name)) + "]\n";
+std::string comment_on(const PickedColour& picked) {
+    if (!picked.lobe) return "dE00 " + significant_text(picked.de00, 2);
+    return "peak_nm = " + significant_text(picked.lobe->peak_nm, 5) +
+           ", width_nm = " + significant_text(picked.lobe->width_nm, 4) +
+           ", height = " + significant_text(picked.lobe->height, 3) +
+           (picked.is_met() ? std::string(", exact") : ", dE00 " + significant_text(picked.de00, 3));
 }
 
-// @param comments  as many as arguments, or none
-std::string scene_of(const PickOptions& options, const std::vector<Argument>& arguments,
-                     const std::vector<std::string>& comments) {
-    std::string text = "nacre = 1\n\n" + heading("material", options.name) + "picks = [\n";
-    for (std::size_t i = 0; i < arguments.size(); ++i) {
-        text += "    { angle_deg = " + number_text(arguments[i].angle_deg) + ", colour = " + arguments[i].colour;
-        if (!options.space.empty()) text += ", space = " + toml_string(options.space);
-        text += " },";
-        if (!comments.empty()) text += "  # " + comments[i];
-        text += "\n";
-    }
-    text += "]\n\n" + heading("swatch", options.name + "_strip") +
-            "draw = \"strip\"\nmaterial = " + toml_string(options.name) + "\n\n" +
-            heading("swatch", options.name + "_sphere") + "draw = \"sphere\"\nmaterial = " + toml_string(options.name) +
-            "\n";
-    return text;
-}
-
-std::string band_text(const PickedColour& picked) {
-    return "peak_nm = " + significant_text(picked.lobe.peak_nm, 5) +
-           ", width_nm = " + significant_text(picked.lobe.width_nm, 4) +
-           ", height = " + significant_text(picked.lobe.height, 3) +
-           (picked.lobe.miss == LobeMiss::none ? std::string(", exact")
-                                               : ", dE00 " + significant_text(picked.lobe.de00, 3));
-}
-
-int run_pick(const PickOptions& options, Console& console) {
-    std::vector<Argument> arguments;
-    for (const std::string& text : options.picks) arguments.push_back(parse_argument(text));
-    if (arguments.size() < 2) {
-        throw Error(options.picks.front() +
-                    ": is one pick; give two or more (the colour at one angle says nothing about the others)");
-    }
-    const Plan plan = plan_scene(parse_scene(scene_of(options, arguments, {}), "picks"),
-                                 scene_files_with_colours("picks", options.ocio));
-    const std::vector<PickedColour>& picked = plan.materials.front().picked;
-    std::vector<std::string> comments;
-    nlohmann::ordered_json json;
-    for (std::size_t i = 0; i < picked.size(); ++i) {
-        comments.push_back(band_text(picked[i]));
-        json["picked"].push_back(picked_json(picked[i]));
-        if (picked[i].lobe.miss == LobeMiss::none) continue;
-        const std::string message = arguments[i].text + ": the nearest band is " + match_text(picked[i]);
+void judge(const PickOptions& options, const std::vector<PickedColour>& picked, Console& console) {
+    for (const PickedColour& one : picked) {
+        if (one.is_met()) continue;
+        const std::string message = one.text + " at " + number_text(one.angle_deg) + " deg: the nearest " +
+                                    one.mechanism + " is " + match_text(one);
         if (options.strict) throw Error(message);
         console.warning(message);
     }
-    std::string scene = scene_of(options, arguments, comments);
+}
+
+void print(const PickOptions& options, nlohmann::ordered_json json, std::string scene, Console& console) {
+    if (!options.swatch.empty()) write_picked_swatch(options, scene, console);
     json["scene"] = scene;
     scene.pop_back();
     if (console.json()) {
         console.result_json(json);
     } else {
         console.result(scene);
+    }
+}
+
+nlohmann::ordered_json picked_list(const std::vector<PickedColour>& picked) {
+    nlohmann::ordered_json list = nlohmann::ordered_json::array();
+    for (const PickedColour& one : picked) list.push_back(picked_json(one));
+    return list;
+}
+
+// ---- a palette
+
+void pick_palette(const PickOptions& options, Console& console) {
+    std::vector<PickLine> lines = pick_lines(options);
+    const std::string material = asked_lines(options);
+    const Plan plan = plan_of(pick_scene(options, material, picks_toml(lines), "", true), options);
+    const std::vector<PickedColour>& picked = plan.materials.front().picked;
+    for (const PickedColour& one : picked) lines[one.pick].comment = comment_on(one);
+    for (const std::string& warning : plan.warnings) {
+        // Those of colours are said below, without a line of a scene that nobody has seen.
+        if (warning.find("picks[") == std::string::npos) console.warning(warning);
+    }
+    judge(options, picked, console);
+    print(options, {{"picked", picked_list(picked)}}, pick_scene(options, material, picks_toml(lines), "", true),
+          console);
+}
+
+// ---- any other mechanism
+
+// The answer with its numbers rounded, so that a scene can be read.
+Mechanism rounded(const MechanismSearch& search, const FoundMechanism& found) {
+    constexpr int digits = 6;
+    Mechanism mechanism = search.start;
+    for (std::size_t i = 0; i < search.free.size(); ++i)
+        search.free[i].set(mechanism, std::stod(significant_text(found.values[i], digits)));
+    return mechanism;
+}
+
+std::string answers_comment(const MaterialSearch& search, std::size_t chosen) {
+    std::string text = "# " + answer_text(search, chosen) + "\n";
+    if (search.found.size() > 1) text += "# Others, which --choose N prints:\n";
+    for (std::size_t i = 0; i < search.found.size(); ++i) {
+        if (i != chosen) text += "#   " + std::to_string(i + 1) + ": " + answer_text(search, i) + "\n";
+    }
+    return text;
+}
+
+// Of spectra that were measured: how the answer compares with them.
+std::string peak_text(const Mechanism& mechanism, double angle_deg, double measured_nm) {
+    const auto band = find_band(mechanism, Incidence::from_degrees(angle_deg), measured_nm);
+    if (!band) return "no peak near " + fixed_text(measured_nm, 1) + " nm";
+    const double error_nm = band->peak_nm - measured_nm;
+    return "peak " + fixed_text(band->peak_nm, 1) + " nm, " + (error_nm >= 0.0 ? "+" : "") + fixed_text(error_nm, 1);
+}
+
+void report_measured(const MeasuredSpectra& spectra, const Material& material, Console& console) {
+    for (const PickedColour& one : material.picked) {
+        const auto angle = static_cast<std::size_t>(
+            std::find(spectra.angle_deg.begin(), spectra.angle_deg.end(), one.angle_deg) - spectra.angle_deg.begin());
+        console.warning(number_text(one.angle_deg) + " deg: " +
+                        peak_text(material.mechanism, one.angle_deg, measured_peak_nm(spectra, angle)) + "; dE00 " +
+                        significant_text(one.de00, 3));
+    }
+}
+
+void pick_mechanism(const PickOptions& options, Console& console) {
+    std::vector<PickLine> lines = pick_lines(options);
+    const bool is_measured = !options.measured.empty();
+    const auto picks = [&] {
+        return is_measured ? "{ measured = " + toml_string(options.measured) + " }" : picks_toml(lines);
+    };
+    const Plan asked = plan_of(pick_scene(options, asked_lines(options), picks(), "", true), options);
+    if (asked.searches.empty())
+        throw Error("--mechanism " + options.mechanism + ": picks lead to a palette, film, stack, grating or crystal");
+    const MaterialSearch& search = asked.searches.front();
+    if (static_cast<std::size_t>(options.choose) > search.found.size()) {
+        throw Error("--choose " + std::to_string(options.choose) + ": there are " +
+                    std::to_string(search.found.size()) + " answers");
+    }
+    const auto chosen = static_cast<std::size_t>(options.choose - 1);
+    const std::string material = mechanism_toml(rounded(search.search, search.found[chosen]));
+    // What is printed is what is judged.
+    const Plan answer = plan_of(pick_scene(options, material, picks(), "", true), options);
+    const std::vector<PickedColour>& picked = answer.materials.front().picked;
+    if (!is_measured) {
+        for (const PickedColour& one : picked) lines[one.pick].comment = comment_on(one);
+    }
+    if (is_measured) {
+        report_measured(read_spectra_csv(options.measured), answer.materials.front(), console);
+    } else {
+        judge(options, picked, console);
+    }
+    print(options, {{"picked", picked_list(picked)}, {"found", found_json(search)}},
+          pick_scene(options, material, picks(), answers_comment(search, chosen), true), console);
+}
+
+// ---- a palette of measured spectra
+
+void pick_measured_palette(const PickOptions& options, Console& console) {
+    if (!options.with.empty()) throw Error("--with and --measured: the palette is fitted whole; leave --with out");
+    const MeasuredSpectra spectra = read_spectra_csv(options.measured);
+    if (static_cast<std::size_t>(options.count) > spectra.angle_deg.size()) {
+        throw Error("--picks " + std::to_string(options.count) + ": " + options.measured + " has " +
+                    std::to_string(spectra.angle_deg.size()) + " angles");
+    }
+    LightSettings settings;
+    settings.power = *illuminant_by_name(settings.illuminant);
+    const Light light = make_light(settings);
+    const PaletteFit fit =
+        fit_palette(spectra, static_cast<std::size_t>(options.count), light, least_squares_solver());
+    std::vector<std::vector<std::string>> rows{{"angle", "measured peak", "palette's", "error", "dE00"}};
+    nlohmann::ordered_json angles = nlohmann::ordered_json::array();
+    for (const AngleFit& angle : fit.angles) {
+        const double error_nm = angle.peak_nm - angle.measured_peak_nm;
+        rows.push_back({number_text(angle.angle_deg) + " deg", fixed_text(angle.measured_peak_nm, 1) + " nm",
+                        fixed_text(angle.peak_nm, 1) + " nm", fixed_text(error_nm, 1) + " nm",
+                        significant_text(angle.de00, 3)});
+        angles.push_back({{"angle_deg", angle.angle_deg},
+                          {"measured_peak_nm", angle.measured_peak_nm},
+                          {"peak_nm", angle.peak_nm},
+                          {"peak_error_nm", error_nm},
+                          {"de00", angle.de00}});
+    }
+    std::string comments = "# " + options.measured + ", and this palette:\n";
+    for (const std::string& line : table_lines(rows, {true, true, true, true, true})) comments += "#   " + line + "\n";
+    Palette palette = fit.palette;
+    constexpr int digits = 6;
+    const auto round = [](double& value) { value = std::stod(significant_text(value, digits)); };
+    for (Pick& pick : palette.picks) {
+        round(pick.lobe.peak_nm);
+        round(pick.lobe.width_nm);
+        round(pick.lobe.height);
+    }
+    round(palette.shape);
+    print(options, {{"error", fit.error}, {"angles", angles}},
+          pick_scene(options, mechanism_toml(Mechanism(palette)), "", comments, false), console);
+}
+
+int run_pick(const PickOptions& options, Console& console) {
+    const bool is_measured = !options.measured.empty();
+    if (is_measured == !options.picks.empty())
+        throw Error("nacre pick takes colours, COLOUR@ANGLE, or --measured FILE; give one of the two");
+    if (!is_palette(options)) {
+        pick_mechanism(options, console);
+    } else if (is_measured) {
+        pick_measured_palette(options, console);
+    } else {
+        pick_palette(options, console);
     }
     return exit_done;
 }
@@ -133,20 +231,42 @@ int run_pick(const PickOptions& options, Console& console) {
 Command add_pick_command(CLI::App& app) {
     const auto options = std::make_shared<PickOptions>();
     app.add_option("COLOUR@ANGLE", options->picks,
-                   "two or more: #rrggbb, #rgb or r,g,b, and the angle in degrees at which it is seen")
-        ->required()
+                   "#rrggbb, #rgb or r,g,b, and the angle in degrees at which it is seen; one or more")
         ->type_name("");
+    app.add_option("--measured", options->measured,
+                   "a CSV of spectra at several angles (wavelength_nm, then a column per angle) instead of colours")
+        ->type_name("FILE");
+    app.add_option("--picks", options->count, "so many picks stand for measured spectra")
+        ->type_name("N")
+        ->check(CLI::Range(1, 100))
+        ->capture_default_str();
+    app.add_option("--mechanism", options->mechanism, "palette (default), film, stack, grating or crystal")
+        ->type_name("NAME");
+    app.add_option("--with", options->with,
+                   "a line of the material in TOML: index = 1.33 fixes it, index = { from = 1.3, to = 1.5 } bounds it; "
+                   "may be repeated")
+        ->type_name("KEY=VALUE")
+        ->allow_extra_args(false);
+    app.add_option("--choose", options->choose, "which of the answers, best first")
+        ->type_name("N")
+        ->check(CLI::Range(1, 100))
+        ->capture_default_str();
     app.add_option("--space", options->space,
                    "colour space of the OpenColorIO config that the colours are in; default: its role color_picking")
         ->type_name("NAME");
     app.add_option("--name", options->name, "name of the material")->type_name("NAME")->capture_default_str();
+    app.add_option("--swatch", options->swatch, "a picture too: picked beside reached, and the strip between them")
+        ->type_name("FILE.png");
     app.add_option("--ocio", options->ocio, "OpenColorIO config; wins over $OCIO")->type_name("FILE");
     add_strict_option(app, options->strict);
     app.footer(
-        "\nPrints a scene: the picks, and behind each the band of reflectance that it becomes. Colours that no band "
-        "has "
-        "are\nwarned of, with their distance in CIEDE2000.\n\nExample:\n"
-        "  nacre pick \"#22cc66@0\" \"#1fb5c9@50\" > mine.toml && nacre bake mine.toml -o out\n");
+        "\nPrints a scene: what was picked, and what shows it. A palette has a band of reflectance per pick. A film, "
+        "stack,\ngrating or crystal is looked for among all that there are within usual ranges; the best answer is "
+        "printed, others\nstand in its comments. What cannot be had is warned of, with its distance in CIEDE2000.\n\n"
+        "Examples:\n"
+        "  nacre pick \"#22cc66@0\" \"#1fb5c9@50\" > mine.toml && nacre bake mine.toml -o out\n"
+        "  nacre pick \"#3a6fd0@0\" \"#7030b0@40\" --mechanism film --with 'substrate = \"si\"'\n"
+        "  nacre pick --measured configs/scenes/gold_beetle.csv --picks 3\n");
     return [options](Console& console) { return run_pick(*options, console); };
 }
 

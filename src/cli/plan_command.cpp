@@ -3,6 +3,7 @@
 
 #include "cli/commands.h"
 #include "cli/effect_table.h"
+#include "cli/found_report.h"
 #include "cli/rehearsal.h"
 #include "cli/report.h"
 #include "cli/settled_luts.h"
@@ -106,6 +107,9 @@ nlohmann::ordered_json task_json(const SettledTask& task, double seconds) {
         json["base_directions"] = job.sampling.hemisphere;
     if (job.sampling.sizes > 1) json["radii"] = job.sampling.sizes;
     for (const PickedColour& picked : job.material.picked) json["picked"].push_back(picked_json(picked));
+    for (const MaterialSearch& search : task.scene->plan.searches) {
+        if (search.material == job.material.name) json["found"] = found_json(search);
+    }
     json["max_de00"] = nullptr;
     if (lut.wish.has_bound) json["max_de00"] = lut.wish.max_de00;
     json["predicted"] = nullptr;
@@ -123,15 +127,23 @@ nlohmann::ordered_json task_json(const SettledTask& task, double seconds) {
     return json;
 }
 
-// The bands that picked colours became.
+// What picked colours became.
 void note_picked(const LoadedScene& scene, Console& console) {
     for (const Material& material : scene.plan.materials) {
         for (const PickedColour& picked : material.picked) {
-            console.summary(material.name + ": " + picked.text + " at " + number_text(picked.angle_deg) +
-                            " deg is the band peak_nm = " + significant_text(picked.lobe.peak_nm, 6) +
-                            ", width_nm = " + significant_text(picked.lobe.width_nm, 6) +
-                            ", height = " + significant_text(picked.lobe.height, 4) + ", " + match_text(picked));
+            std::string band;
+            if (picked.lobe) {
+                band = " is the band peak_nm = " + significant_text(picked.lobe->peak_nm, 6) +
+                       ", width_nm = " + significant_text(picked.lobe->width_nm, 6) +
+                       ", height = " + significant_text(picked.lobe->height, 4) + ",";
+            }
+            console.summary(material.name + ": " + picked.text + " at " + number_text(picked.angle_deg) + " deg" +
+                            band + (picked.lobe ? " " : ": ") + match_text(picked));
         }
+    }
+    for (const MaterialSearch& search : scene.plan.searches) {
+        for (std::size_t i = 0; i < search.found.size(); ++i)
+            console.summary(search.material + ": " + (i == 0 ? "found " : "or    ") + answer_text(search, i));
     }
 }
 

@@ -6,6 +6,7 @@
 #include <optional>
 #include <utility>
 
+#include "io/mechanism_finder.h"
 #include "io/scene_file.h"
 #include "nacre/error.h"
 
@@ -58,12 +59,16 @@ ColourConfigChoice config_choice(const ColourSettings& colour, const std::string
     return {file.string(), colour.interchange, colour.config_where.text() + " [colour]"};
 }
 
-SceneFiles scene_files_with_colours(const std::string& scene_path, const std::string& ocio) {
+SceneFiles scene_files_with_colours(const std::string& scene_path, const std::string& ocio,
+                                    const std::function<void()>& after_step) {
     SceneFiles files = scene_files();
     const auto colours = std::make_shared<PickedColours>(scene_path, ocio);
     files.read_colour = [colours](const Rgb& colour, const std::string& space, const Where& where,
                                   const ColourSettings& settings) {
         return colours->xyz(colour, space, where, settings);
+    };
+    files.find_mechanisms = [after_step](const MechanismSearch& search, const Light& light) {
+        return find_with_materials(search, light, after_step);
     };
     return files;
 }

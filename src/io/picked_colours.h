@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <string>
 
 #include "io/colour_config.h"
@@ -12,6 +13,8 @@ namespace nacre {
 ColourConfigChoice config_choice(const ColourSettings& colour, const std::string& scene_path, const std::string& ocio);
 
 /// scene_files(), with colours read by the scene's config. It is opened when the first colour is asked for.
-SceneFiles scene_files_with_colours(const std::string& scene_path, const std::string& ocio);
+/// @param after_step  called every few steps of a search for what picks ask for; what it throws ends it
+SceneFiles scene_files_with_colours(const std::string& scene_path, const std::string& ocio,
+                                    const std::function<void()>& after_step = {});
 
 }  // namespace nacre

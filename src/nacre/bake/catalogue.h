@@ -26,7 +26,7 @@ enum class Integral { exact, fast };
 enum class LutOutput { exr, json, png };
 
 /// What a swatch shows: see [swatch.NAME] in the documentation of scenes.
-enum class SwatchKind { plane, palette, strip, sphere };
+enum class SwatchKind { plane, palette, strip, sphere, picks };
 
 /// A word of the scene file and what it means. The first of a list is its default.
 template <typename Meaning>
@@ -73,6 +73,7 @@ inline constexpr std::array swatch_words{
     Word<SwatchKind>{"palette", SwatchKind::palette, "width against height at a pick's peak"},
     Word<SwatchKind>{"strip", SwatchKind::strip, "the LUT with its axis"},
     Word<SwatchKind>{"sphere", SwatchKind::sphere, "a lit ball"},
+    Word<SwatchKind>{"picks", SwatchKind::picks, "picked colours beside those that are reached"},
 };
 
 template <typename Words>

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "nacre/bake/free_reader.h"
 #include "nacre/bake/mechanism_readers.h"
 #include "nacre/bake/text.h"
 
@@ -12,6 +13,11 @@ constexpr Allowed allowed_spacing{1.0, 1e5, "nm"};
 constexpr Allowed allowed_planes{1, 10000};
 // Of spacing over diameter. Touching spheres have 0.816; opals that are pressed flat stay well above this.
 constexpr double least_spacing = 0.6;
+
+// Where crystals are looked for.
+constexpr FreeRange usual_material{1.0, 2.6};
+constexpr FreeRange usual_diameter{120.0, 600.0};
+constexpr FreeRange usual_planes{1.0, 100.0, FreeScale::whole};
 
 // What either axis may use of the room between spacing and its least, so that two together do not exceed it: half of
 // it, on a scale of ratios.
@@ -41,6 +47,33 @@ Crystal read_crystal(const Table& table, const IndexReader& index) {
     crystal.substrate = index.read_or(table, "substrate", crystal.medium);
     crystal.thickness_spread_nm = table.number_or("thickness_spread_nm", allowed_spread, 0.0);
     return crystal;
+}
+
+MechanismSearch crystal_search(const Table& table, const IndexReader& index) {
+    if (const Value* spacing = table.find("spacing_nm")) {
+        table.fail(spacing->where,
+                   "picks lead to touching spheres, whose spacing is sqrt(2/3) of diameter_nm; leave spacing_nm out");
+    }
+    MechanismSearch search;
+    Crystal crystal;
+    crystal.incident = read_incident(table, index);
+    crystal.thickness_spread_nm = table.number_or("thickness_spread_nm", allowed_spread, 0.0);
+    // Below the crystal there is more of what is between its spheres, unless the scene says otherwise.
+    const bool has_substrate = table.find("substrate") != nullptr;
+    if (has_substrate) crystal.substrate = index.read_or(table, "substrate", crystal.medium);
+    search.start = crystal;
+    FreeReader reader(table, index, search);
+    reader.index("sphere", usual_material, [](Mechanism& m, const Index& value) { std::get<Crystal>(m).sphere = value; });
+    reader.index("medium", usual_material, [has_substrate](Mechanism& m, const Index& value) {
+        auto& found = std::get<Crystal>(m);
+        found.medium = value;
+        if (!has_substrate) found.substrate = value;
+    });
+    reader.number("diameter_nm", allowed_diameter, usual_diameter,
+                  [](Mechanism& m, double value) { std::get<Crystal>(m).diameter_nm = value; });
+    reader.whole_number("planes", allowed_planes, usual_planes,
+                        [](Mechanism& m, int value) { std::get<Crystal>(m).planes = value; });
+    return search;
 }
 
 std::vector<Parameter> crystal_parameters(const Crystal& crystal) {

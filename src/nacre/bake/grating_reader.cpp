@@ -3,6 +3,7 @@
 #include <cstddef>
 
 #include "nacre/bake/catalogue.h"
+#include "nacre/bake/free_reader.h"
 #include "nacre/bake/mechanism_readers.h"
 #include "nacre/bake/names.h"
 #include "nacre/bake/text.h"
@@ -20,6 +21,12 @@ constexpr Allowed allowed_groove_length{0.0, 1e6, "um"};
 // Of an axis: 0 stands for endless grooves, which are no neighbours of short ones.
 constexpr Allowed allowed_finite_length{1e-3, 1e6, "um"};
 constexpr std::size_t most_efficiencies = 1000;
+
+// Where gratings are looked for. A land of 1 - D has the orders of D.
+constexpr FreeRange usual_period{400.0, 5000.0, FreeScale::ratio};
+constexpr FreeRange usual_grooves{1.0, 200.0, FreeScale::whole};
+constexpr FreeRange usual_depth{10.0, 400.0};
+constexpr FreeRange usual_land{0.05, 0.5};
 
 // Without GratingProfile::given, which a scene says by giving the efficiencies.
 constexpr std::array profile_words{
@@ -99,16 +106,52 @@ std::string efficiency_toml(const std::vector<double>& efficiency) {
 
 }  // namespace
 
+namespace {
+
+void read_setting(const Table& table, const IndexReader& index, Grating& grating) {
+    if (const Value* coat = table.find("coat")) grating.coat = index.read(table, "coat", *coat);
+    grating.orders = read_orders(table);
+    grating.groove_length_um = table.number_or("groove_length_um", allowed_groove_length, 0.0);
+    grating.azimuth_deg = table.number_or("azimuth_deg", allowed_azimuth, 0.0);
+}
+
+}  // namespace
+
 Grating read_grating(const Table& table, const IndexReader& index) {
     Grating grating;
     grating.period_nm = table.number("period_nm", allowed_period);
     grating.grooves = table.integer_or("grooves", allowed_grooves, grating.grooves);
     read_profile(table, grating);
-    if (const Value* coat = table.find("coat")) grating.coat = index.read(table, "coat", *coat);
-    grating.orders = read_orders(table);
-    grating.groove_length_um = table.number_or("groove_length_um", allowed_groove_length, 0.0);
-    grating.azimuth_deg = table.number_or("azimuth_deg", allowed_azimuth, 0.0);
+    read_setting(table, index, grating);
     return grating;
+}
+
+MechanismSearch grating_search(const Table& table, const IndexReader& index) {
+    MechanismSearch search;
+    Grating grating;
+    read_setting(table, index, grating);
+    const bool is_given = table.find("efficiency") != nullptr;
+    if (is_given) {
+        read_profile(table, grating);
+    } else {
+        grating.profile = read_word(table, "profile", "profile", profile_words);
+    }
+    search.start = grating;
+    FreeReader reader(table, index, search);
+    reader.number("period_nm", allowed_period, usual_period,
+                  [](Mechanism& m, double value) { std::get<Grating>(m).period_nm = value; });
+    reader.whole_number("grooves", allowed_grooves, usual_grooves,
+                        [](Mechanism& m, int value) { std::get<Grating>(m).grooves = value; });
+    if (is_given) return search;
+    reader.number("depth_nm", allowed_depth, usual_depth,
+                  [](Mechanism& m, double value) { std::get<Grating>(m).depth_nm = value; });
+    if (grating.profile == GratingProfile::lamellar) {
+        reader.number("land", allowed_share, usual_land,
+                      [](Mechanism& m, double value) { std::get<Grating>(m).land = value; });
+    } else if (const Value* land = table.find("land")) {
+        table.fail(land->where, "land means nothing for a sinusoidal profile; known for lamellar");
+    }
+    return search;
 }
 
 std::vector<Parameter> grating_parameters(const Grating& grating) {

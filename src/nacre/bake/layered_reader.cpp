@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <functional>
 
+#include "nacre/bake/free_reader.h"
 #include "nacre/bake/mechanism_readers.h"
 #include "nacre/bake/names.h"
 #include "nacre/bake/text.h"
@@ -16,6 +17,11 @@ constexpr double most_layers = 100000;
 constexpr double most_irregular_layers = 1000;
 constexpr std::size_t deepest_group = 16;
 constexpr std::size_t most_layer_parameters = 200;
+
+// Where lamellae are looked for.
+constexpr FreeRange usual_gap{1.0, 2.6};
+constexpr FreeRange usual_lamella{20.0, 400.0};
+constexpr FreeRange usual_films{1.0, 40.0, FreeScale::whole};
 
 double largest_k(const IndexCurve& curve, double first_nm, double last_nm) {
     double largest = 0.0;
@@ -134,10 +140,6 @@ std::vector<Layer> read_lamellae(const Table& table, const IndexReader& reader) 
     return {group};
 }
 
-double read_spread(const Table& table) {
-    return table.number_or("thickness_spread_nm", allowed_spread, 0.0);
-}
-
 // TOML of layers, indented by depth.
 std::string layers_toml(const std::vector<Layer>& layers, const std::string& indent) {
     std::string text = "[\n";
@@ -211,6 +213,10 @@ Index read_incident(const Table& table, const IndexReader& reader) {
                   "incident absorbs, so no light comes from far away in it; allowed is a medium with k = 0");
 }
 
+double read_spread(const Table& table) {
+    return table.number_or("thickness_spread_nm", allowed_spread, 0.0);
+}
+
 Index read_required_index(const Table& table, std::string_view key, const IndexReader& reader) {
     const Value* value = table.find(key);
     if (value == nullptr) table.fail_missing(key, "give a number, { n, k }, or the name of a material");
@@ -224,38 +230,6 @@ void add_index_parameters(const std::string& prefix, const std::string& of_what,
                           [find](Mechanism& m, double value) { find(m).constant.real(value); }});
     parameters.push_back({prefix + "k", "absorption index" + of_what, allowed_k,
                           [find](Mechanism& m, double value) { find(m).constant.imag(value); }});
-}
-
-Film read_film(const Table& table, const IndexReader& index) {
-    Film film;
-    film.incident = read_incident(table, index);
-    film.index = read_required_index(table, "index", index);
-    film.thickness_nm = table.number("thickness_nm", allowed_thickness);
-    film.substrate = index.read_or(table, "substrate", film.incident);
-    film.thickness_spread_nm = read_spread(table);
-    return film;
-}
-
-std::vector<Parameter> film_parameters(const Film& film) {
-    std::vector<Parameter> parameters;
-    parameters.push_back({"thickness_nm", "thickness", allowed_thickness,
-                          [](Mechanism& m, double value) { std::get<Film>(m).thickness_nm = value; }});
-    parameters.push_back({"thickness_spread_nm", "spread of the thickness", allowed_spread,
-                          [](Mechanism& m, double value) { std::get<Film>(m).thickness_spread_nm = value; }});
-    add_index_parameters(
-        "", "", film.index, [](Mechanism& m) -> Index& { return std::get<Film>(m).index; }, parameters);
-    add_index_parameters(
-        "substrate.", " of the substrate", film.substrate,
-        [](Mechanism& m) -> Index& { return std::get<Film>(m).substrate; }, parameters);
-    return parameters;
-}
-
-std::string film_toml(const Film& film) {
-    std::string text = "mechanism = \"film\"\nincident = " + index_toml(film.incident) +
-                       "\nindex = " + index_toml(film.index) + "\nthickness_nm = " + number_text(film.thickness_nm) +
-                       "\nsubstrate = " + index_toml(film.substrate) + "\n";
-    if (film.thickness_spread_nm > 0.0) text += "thickness_spread_nm = " + number_text(film.thickness_spread_nm) + "\n";
-    return text;
 }
 
 Stack read_stack(const Table& table, const IndexReader& index) {
@@ -284,6 +258,47 @@ Stack read_stack(const Table& table, const IndexReader& index) {
                           (most == most_layers ? "" : " with thickness_spread_nm"));
     }
     return stack;
+}
+
+namespace {
+
+Layer& lamella(Mechanism& mechanism, std::size_t which) {
+    return std::get<Stack>(mechanism).layers.front().layers[which];
+}
+
+}  // namespace
+
+MechanismSearch stack_search(const Table& table, const IndexReader& index) {
+    MechanismSearch search;
+    if (table.find("layers") != nullptr) {
+        search.start = read_stack(table, index);
+        return search;
+    }
+    if (table.text_or("form", "lamellae") != "lamellae") {
+        table.fail_at("form", "picks lead to lamellae, two materials that take turns; give form = \"lamellae\", or "
+                              "the layers themselves");
+    }
+    Stack stack;
+    stack.incident = read_incident(table, index);
+    stack.layers.resize(1);
+    stack.layers.front().repeat = 1;
+    stack.layers.front().layers.resize(2);
+    stack.thickness_spread_nm = read_spread(table);
+    search.start = stack;
+    FreeReader reader(table, index, search);
+    reader.index("film", usual_index, [](Mechanism& m, const Index& value) { lamella(m, 0).index = value; });
+    reader.number("film_nm", allowed_thickness, usual_lamella,
+                  [](Mechanism& m, double value) { lamella(m, 0).thickness_nm = value; });
+    reader.index("gap", usual_gap, [](Mechanism& m, const Index& value) { lamella(m, 1).index = value; });
+    reader.number("gap_nm", allowed_thickness, usual_lamella,
+                  [](Mechanism& m, double value) { lamella(m, 1).thickness_nm = value; });
+    const Allowed allowed = stack.thickness_spread_nm > 0.0 ? Allowed{1, most_irregular_layers / 2} : allowed_films;
+    reader.whole_number("films", allowed, usual_films, [](Mechanism& m, int value) {
+        std::get<Stack>(m).layers.front().repeat = value;
+    });
+    reader.index("substrate", usual_substrate,
+                 [](Mechanism& m, const Index& value) { std::get<Stack>(m).substrate = value; });
+    return search;
 }
 
 std::vector<Parameter> stack_parameters(const Stack& stack) {

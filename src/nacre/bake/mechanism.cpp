@@ -2,17 +2,20 @@
 
 #include <array>
 
+#include "nacre/bake/free_reader.h"
 #include "nacre/bake/mechanism_readers.h"
 #include "nacre/bake/names.h"
 
 namespace nacre {
 namespace {
 
-// One row per mechanism, in MechanismModel's order: its name in a scene, what it depends on, and how it is read.
+// One row per mechanism, in MechanismModel's order: its name in a scene, what it depends on, how it is read, and how
+// it is looked for if there are picks.
 struct MechanismRow {
     std::string_view name;
     Quantity quantity;
     Mechanism (*read)(const Table&, const SceneContext&);
+    MechanismSearch (*search)(const Table&, const IndexReader&) = nullptr;
 };
 constexpr std::array mechanism_rows{
     MechanismRow{
@@ -20,18 +23,22 @@ constexpr std::array mechanism_rows{
         [](const Table& table, const SceneContext& context) -> Mechanism { return read_palette(table, context); }},
     MechanismRow{
         "film", Quantity::incidence,
-        [](const Table& table, const SceneContext& context) -> Mechanism { return read_film(table, context.index); }},
+        [](const Table& table, const SceneContext& context) -> Mechanism { return read_film(table, context.index); },
+        film_search},
     MechanismRow{
         "stack", Quantity::incidence,
-        [](const Table& table, const SceneContext& context) -> Mechanism { return read_stack(table, context.index); }},
+        [](const Table& table, const SceneContext& context) -> Mechanism { return read_stack(table, context.index); },
+        stack_search},
     MechanismRow{"grating", Quantity::grating_u,
                  [](const Table& table, const SceneContext& context) -> Mechanism {
                      return read_grating(table, context.index);
-                 }},
+                 },
+                 grating_search},
     MechanismRow{"crystal", Quantity::incidence,
                  [](const Table& table, const SceneContext& context) -> Mechanism {
                      return read_crystal(table, context.index);
-                 }},
+                 },
+                 crystal_search},
     MechanismRow{"scatter", Quantity::cos_scatter,
                  [](const Table& table, const SceneContext& context) -> Mechanism {
                      return read_scatter(table, context.index);
@@ -84,6 +91,11 @@ Mechanism read_mechanism(const Table& table, const SceneContext& context) {
     for (const MechanismRow& row : mechanism_rows) {
         known.emplace_back(row.name);
         if (row.name != name) continue;
+        if (row.search != nullptr && table.find("picks") != nullptr) {
+            MechanismSearch search = row.search(table, context.index);
+            search.start.effects = read_effects(table, search.start, context);
+            return find_mechanism(table, context, std::move(search));
+        }
         Mechanism mechanism = row.read(table, context);
         mechanism.effects = read_effects(table, mechanism, context);
         return mechanism;

@@ -97,6 +97,11 @@ std::vector<Parameter> palette_parameters(const Palette& palette) {
     return parameters;
 }
 
+Lobe read_lobe(const Table& pick) {
+    return {pick.number("peak_nm", allowed_peak), pick.number("width_nm", allowed_width),
+            pick.number("height", allowed_height)};
+}
+
 Palette read_palette(const Table& table, const SceneContext& context) {
     Palette palette;
     const Value* picks = table.find("picks");
@@ -115,16 +120,16 @@ Palette read_palette(const Table& table, const SceneContext& context) {
     for (const Value& element : list) {
         const Table& pick = table.checked_table("picks", element);
         const double angle_deg = pick.number("angle_deg", allowed_angle);
-        if (auto picked = read_picked_colour(pick, context.read_colour, context.find_lobe)) {
+        if (auto picked = read_picked_colour(pick, context.picks.colour)) {
             picked->pick = palette.picks.size();
             picked->angle_deg = angle_deg;
+            find_band(context.picks, *picked);
             context.note_picked(*picked);
-            if (picked->lobe.height == 0.0) black.push_back(picked->pick);
-            palette.picks.push_back({angle_deg, {picked->lobe.peak_nm, picked->lobe.width_nm, picked->lobe.height}});
+            const LobeMatch& lobe = *picked->lobe;
+            if (lobe.height == 0.0) black.push_back(picked->pick);
+            palette.picks.push_back({angle_deg, {lobe.peak_nm, lobe.width_nm, lobe.height}});
         } else {
-            palette.picks.push_back({angle_deg,
-                                     {pick.number("peak_nm", allowed_peak), pick.number("width_nm", allowed_width),
-                                      pick.number("height", allowed_height)}});
+            palette.picks.push_back({angle_deg, read_lobe(pick)});
         }
         pick.expect_all_read();
     }

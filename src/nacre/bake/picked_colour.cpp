@@ -52,16 +52,23 @@ std::string written(const Value& value, const Rgb& colour) {
 
 }  // namespace
 
+bool PickedColour::is_met() const {
+    return lobe ? lobe->miss == LobeMiss::none : de00 <= met_de00;
+}
+
 std::string match_text(const PickedColour& picked) {
-    switch (picked.lobe.miss) {
+    const std::string away = "CIEDE2000 " + significant_text(picked.de00, 3) + " away, because no ";
+    if (!picked.lobe) {
+        if (picked.is_met()) return "met, CIEDE2000 " + significant_text(picked.de00, 2);
+        return away + picked.mechanism + " was found that comes nearer to all picks";
+    }
+    switch (picked.lobe->miss) {
         case LobeMiss::none:
             return "exact";
         case LobeMiss::bright:
-            return "CIEDE2000 " + significant_text(picked.lobe.de00, 3) +
-                   " away, because no band that reflects so much is so saturated";
+            return away + "band that reflects so much is so saturated";
         case LobeMiss::saturated:
-            return "CIEDE2000 " + significant_text(picked.lobe.de00, 3) +
-                   " away, because no single band has that chromaticity (purples have none, nor has much that is pale)";
+            return away + "single band has that chromaticity (purples have none, nor has much that is pale)";
     }
     return {};
 }
@@ -69,13 +76,14 @@ std::string match_text(const PickedColour& picked) {
 std::string picked_text(const std::vector<PickedColour>& picked) {
     std::string text;
     for (const PickedColour& one : picked) {
+        const bool is_exact = one.lobe && one.is_met();
         text += (text.empty() ? "" : "; ") + one.text + " at " + number_text(one.angle_deg) +
-                " deg: " + (one.lobe.miss == LobeMiss::none ? "exact" : "dE00 " + significant_text(one.lobe.de00, 3));
+                " deg: " + (is_exact ? "exact" : "dE00 " + significant_text(one.de00, 3));
     }
     return text;
 }
 
-std::optional<PickedColour> read_picked_colour(const Table& pick, const ColourReader& read, const LobeReader& find) {
+std::optional<PickedColour> read_picked_colour(const Table& pick, const ColourReader& read) {
     const Value* value = pick.find("colour");
     if (value == nullptr) {
         if (const Value* space = pick.find("space"))
@@ -93,8 +101,13 @@ std::optional<PickedColour> read_picked_colour(const Table& pick, const ColourRe
     picked.text = written(*value, components) + (space.empty() ? "" : " in " + space);
     picked.where = value->where;
     picked.colour = read(components, space, value->where);
-    picked.lobe = find(picked.colour);
     return picked;
+}
+
+void find_band(const PickReaders& readers, PickedColour& picked) {
+    picked.lobe = readers.find_lobe(picked.colour);
+    picked.de00 = picked.lobe->de00;
+    picked.reached = readers.lobe_colour({picked.lobe->peak_nm, picked.lobe->width_nm, picked.lobe->height});
 }
 
 }  // namespace nacre

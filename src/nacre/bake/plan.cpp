@@ -4,6 +4,7 @@
 #include <deque>
 #include <utility>
 
+#include "nacre/bake/measured_colour.h"
 #include "nacre/bake/names.h"
 #include "nacre/bake/output_names.h"
 #include "nacre/bake/plan_tables.h"
@@ -29,17 +30,19 @@ public:
         check_white();
         read_colour();
         const LightSettings& light = plan_.light->settings;
-        const SceneContext context{
+        SceneContext context{
             {files_.find_material, static_cast<double>(light.first_nm), static_cast<double>(light.last_nm)},
             files_.read_curve,
             files_.read_spectra,
-            [&](const Rgb& colour, const std::string& space, const Where& where) {
-                if (!files_.read_colour)
-                    throw Error(where.text() + ": a colour needs an OpenColorIO config, and there is none here");
-                return files_.read_colour(colour, space, where, plan_.colour);
-            },
-            [&](const Xyz& colour) { return lobe_finder().find(colour); },
+            pick_readers(),
+            {},
+            {},
             {}};
+        if (files_.find_mechanisms) {
+            context.find_mechanisms = [&](const MechanismSearch& search) {
+                return files_.find_mechanisms(search, *plan_.light);
+            };
+        }
         Materials materials(material_table(), context,
                             [&](const Table& table, const Mechanism& mechanism) { check_fringes(table, mechanism); });
         read_luts(materials);
@@ -48,6 +51,7 @@ public:
             for (const std::string& name : materials.names()) materials.named(name);
         }
         plan_.materials = materials.read();
+        plan_.searches = materials.searches();
         judge_picked_colours();
         warn_of_black_gratings();
         scene_.expect_all_read();
@@ -169,6 +173,25 @@ private:
         std::erase(plan_.names, name);
     }
 
+    PickReaders pick_readers() {
+        return {[this](const Rgb& colour, const std::string& space, const Where& where) {
+                    if (!files_.read_colour)
+                        throw Error(where.text() + ": a colour needs an OpenColorIO config, and there is none here");
+                    return files_.read_colour(colour, space, where, plan_.colour);
+                },
+                [this](const Xyz& colour) { return lobe_finder().find(colour); },
+                [this](const Lobe& lobe) {
+                    const Light& light = *plan_.light;
+                    return adapt(light.adaptation,
+                                 lobe_to_xyz(light.weights, lobe.peak_nm, lobe.width_nm, lobe.height));
+                },
+                [this](const MeasuredSpectra& spectra, double angle_deg) {
+                    const Light& light = *plan_.light;
+                    return adapt(light.adaptation,
+                                 MeasuredColour(spectra, light).at(Incidence::from_degrees(angle_deg)));
+                }};
+    }
+
     // Made when the first colour is picked.
     const LobeFinder& lobe_finder() {
         const Light& light = *plan_.light;
@@ -179,10 +202,10 @@ private:
     void judge_picked_colours() {
         for (const Material& material : plan_.materials) {
             for (const PickedColour& picked : material.picked) {
-                if (picked.lobe.miss == LobeMiss::none) continue;
+                if (picked.is_met()) continue;
                 const std::string message = picked.where.text() + " [material." + material.name + "]: picks[" +
                                             std::to_string(picked.pick) + "], " + picked.text +
-                                            ": the nearest band is " + match_text(picked);
+                                            ": the nearest " + picked.mechanism + " is " + match_text(picked);
                 if (request_.strict) throw Error(message);
                 plan_.warnings.push_back(message);
             }

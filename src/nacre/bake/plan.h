@@ -97,6 +97,7 @@ struct Plan {
     std::vector<std::string> names;     ///< of all LUTs and swatches that the scene has, asked for or not
     std::vector<std::string> warnings;  ///< of what is allowed and hardly meant, with file, line and column
     std::vector<Material> materials;    ///< those that were read
+    std::vector<MaterialSearch> searches;  ///< of these, what picks of films, stacks, gratings and crystals led to
     std::vector<PlannedLut> luts;
     std::vector<PlannedSwatch> swatches;
 };
@@ -109,6 +110,9 @@ struct SceneFiles {
     /// A picked colour's XYZ, by the scene's OpenColorIO config; empty: colours cannot be read here.
     std::function<Xyz(const Rgb& colour, const std::string& space, const Where& where, const ColourSettings& settings)>
         read_colour{};
+    /// Looks for mechanisms that show what picks ask for, best first, at least one (see fit/find_mechanism.h); empty:
+    /// such picks cannot be read here.
+    std::function<std::vector<FoundMechanism>(const MechanismSearch& search, const Light& light)> find_mechanisms{};
 };
 
 /// What of a scene is wanted.
@@ -116,7 +120,7 @@ struct PlanRequest {
     /// Names of LUTs and swatches; empty: all. Names that the scene does not have are no error: another scene may.
     std::vector<std::string> only;
     bool all_materials = false;  ///< those too that no LUT and no swatch asks for
-    bool strict = false;         ///< whether a picked colour that no band of reflectance has is an error
+    bool strict = false;         ///< whether a picked colour that no band, film, ... has is an error
 
     bool wants(const std::string& name) const;
 };

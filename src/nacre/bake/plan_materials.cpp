@@ -9,6 +9,9 @@ namespace nacre {
 Materials::Materials(const Table& table, SceneContext context, Check check)
     : table_(table), context_(std::move(context)), check_(std::move(check)) {
     context_.note_picked = [this](const PickedColour& picked) { picked_.push_back(picked); };
+    context_.note_found = [this](const MechanismSearch& search, const std::vector<FoundMechanism>& found) {
+        searches_.push_back({"", search, found});
+    };
     for (const Table::Entry& entry : table.entries()) {
         check_name(entry.key, table, entry.key_where);
         names_.push_back(entry.key);
@@ -22,7 +25,9 @@ const Material& Materials::named(const std::string& name) {
     const auto entry = std::find_if(entries.begin(), entries.end(), [&](const auto& e) { return e.key == name; });
     const Table& table = table_.checked_table(entry->key, entry->value);
     picked_.clear();
+    const std::size_t searches = searches_.size();
     Material material{entry->key, read_mechanism(table, context_), entry->key_where, {}};
+    for (std::size_t i = searches; i < searches_.size(); ++i) searches_[i].material = entry->key;
     material.picked = std::exchange(picked_, {});
     table.expect_all_read();
     check_(table, material.mechanism);

@@ -32,6 +32,10 @@ void show_material(const Table& table, Materials& materials, const std::shared_p
                                   " shows the picks of a palette, and material " + in_quotes(material.name) + " is a " +
                                   std::string(mechanism_name(material.mechanism)) + "; draw a strip or a sphere");
     }
+    if (swatch.kind == SwatchKind::picks && material.picked.empty()) {
+        table.fail_at("draw", "draw = \"picks\" shows picks that are colours, and material " + in_quotes(material.name) +
+                                  " has none; give them as colour = \"#rrggbb\"");
+    }
     swatch.jobs = swatch_jobs(swatch.kind, material, light);
     if (swatch.kind != SwatchKind::palette) return;
     const Allowed allowed_pick{0.0, static_cast<double>(swatch.jobs.size() - 1)};

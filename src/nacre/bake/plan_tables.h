@@ -59,12 +59,15 @@ public:
     const Material& named(const std::string& name);
     /// Those that were asked for, in the scene's order.
     std::vector<Material> read() const;
+    /// Of these, what picks led to.
+    const std::vector<MaterialSearch>& searches() const { return searches_; }
 
 private:
     const Table& table_;
     SceneContext context_;
     Check check_;
     std::vector<PickedColour> picked_;  // of the material that is being read
+    std::vector<MaterialSearch> searches_;
     std::vector<std::string> names_;
     std::map<std::string, Material> read_;
 };

@@ -5,6 +5,7 @@
 
 #include "nacre/bake/index.h"
 #include "nacre/bake/light.h"
+#include "nacre/bake/mechanism_search.h"
 #include "nacre/bake/picked_colour.h"
 #include "nacre/optics/measured_spectra.h"
 
@@ -19,10 +20,13 @@ struct SceneContext {
     IndexReader index;
     CurveReader read_curve;
     SpectraReader read_spectra;
-    ColourReader read_colour{};
-    LobeReader find_lobe{};
+    PickReaders picks{};
+    /// Looks for mechanisms that show given colours, best first; at least one.
+    std::function<std::vector<FoundMechanism>(const MechanismSearch&)> find_mechanisms{};
     /// Called for every pick that is a colour.
     std::function<void(const PickedColour&)> note_picked{};
+    /// Called with what was found for a material's picks.
+    std::function<void(const MechanismSearch&, const std::vector<FoundMechanism>&)> note_found{};
 };
 
 }  // namespace nacre

@@ -7,6 +7,7 @@
 
 #include "nacre/bake/swatch_gamut.h"
 #include "nacre/bake/swatch_layout.h"
+#include "nacre/bake/swatch_picks.h"
 #include "nacre/bake/swatch_sphere.h"
 
 namespace nacre {
@@ -307,6 +308,7 @@ std::vector<Job> swatch_jobs(SwatchKind kind, const Material& material, const st
         }
         case SwatchKind::strip:
         case SwatchKind::sphere:
+        case SwatchKind::picks:
             job.x = default_axis(quantity_of(material.mechanism));
             job.width = strip_area.width;
             return {job};
@@ -324,6 +326,8 @@ Swatch draw_swatch(const PlannedSwatch& swatch) {
             return draw_strip(swatch);
         case SwatchKind::sphere:
             return draw_sphere(swatch);
+        case SwatchKind::picks:
+            return draw_picks(swatch);
     }
     return {};
 }

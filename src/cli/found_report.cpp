@@ -1,0 +1,35 @@
+#include "cli/found_report.h"
+
+#include "nacre/bake/text.h"
+
+namespace nacre {
+
+std::string answer_text(const MaterialSearch& search, std::size_t answer) {
+    const FoundMechanism& found = search.found[answer];
+    std::string text = found_text(search.search, found) + " (dE00";
+    for (std::size_t i = 0; i < found.de00.size(); ++i)
+        text += (i > 0 ? ", " : " ") + significant_text(found.de00[i], 2);
+    if (found.near_error) {
+        text += "; of";
+        for (std::size_t i = 0; i < found.near.size(); ++i) text += (i > 0 ? ", " : " ") + found.near[i].material;
+        text += ", the nearest materials, " + significant_text(*found.near_error, 2);
+    }
+    return text + ")";
+}
+
+nlohmann::ordered_json found_json(const MaterialSearch& search) {
+    nlohmann::ordered_json json = nlohmann::ordered_json::array();
+    for (const FoundMechanism& found : search.found) {
+        nlohmann::ordered_json one;
+        for (std::size_t i = 0; i < found.values.size(); ++i) one["values"][search.search.free[i].name] = found.values[i];
+        one["de00"] = found.de00;
+        one["error"] = found.error;
+        for (const NearMaterial& near : found.near)
+            one["nearest_materials"][near.key] = {{"material", near.material}, {"distance", near.distance}};
+        if (found.near_error) one["error_of_nearest_materials"] = *found.near_error;
+        json.push_back(std::move(one));
+    }
+    return json;
+}
+
+}  // namespace nacre

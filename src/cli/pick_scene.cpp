@@ -1,0 +1,86 @@
+#include "cli/pick_scene.h"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cctype>
+
+#include "nacre/bake/hex_colour.h"
+#include "nacre/bake/names.h"
+#include "nacre/bake/text.h"
+#include "nacre/error.h"
+
+namespace nacre {
+namespace {
+
+double number_in(const std::string& text, const std::string& argument, const char* what) {
+    double value = 0.0;
+    if (!text.empty() && CLI::detail::lexical_cast(text, value)) return value;
+    throw Error(argument + ": " + in_quotes(text) + " is no " + what + "; give COLOUR@ANGLE, as in \"#22cc66@0\"");
+}
+
+// "#rrggbb", "#rgb" or three numbers with commas between.
+std::string colour_in(const std::string& text, const std::string& argument) {
+    if (parse_hex_colour(text)) return toml_string(text);
+    if (std::count(text.begin(), text.end(), ',') != 2)
+        throw Error(argument + ": " + in_quotes(text) + " is no colour; give \"#rrggbb\", \"#rgb\" or r,g,b");
+    std::string list = "[";
+    std::size_t begin = 0;
+    for (int component = 0; component < 3; ++component) {
+        const std::size_t end = std::min(text.find(',', begin), text.size());
+        list +=
+            (component > 0 ? ", " : "") + number_text(number_in(text.substr(begin, end - begin), argument, "number"));
+        begin = end + 1;
+    }
+    return list + "]";
+}
+
+std::string heading(const char* kind, const std::string& name) {
+    const bool is_bare = !name.empty() && std::all_of(name.begin(), name.end(), [](unsigned char character) {
+        return std::isalnum(character) != 0 || character == '_' || character == '-';
+    });
+    return "[" + std::string(kind) + "." + (is_bare ? name : toml_string(name)) + "]\n";
+}
+
+}  // namespace
+
+std::vector<PickLine> pick_lines(const PickOptions& options) {
+    std::vector<PickLine> lines;
+    for (const std::string& text : options.picks) {
+        const std::size_t at = text.rfind('@');
+        if (at == std::string::npos) throw Error(text + ": has no angle; give COLOUR@ANGLE, as in \"#22cc66@0\"");
+        const double angle_deg = number_in(text.substr(at + 1), text, "angle");
+        if (!(angle_deg >= 0.0 && angle_deg <= 90.0))
+            throw Error(text + ": the angle is out of range; allowed [0, 90] degrees");
+        std::string toml =
+            "{ angle_deg = " + number_text(angle_deg) + ", colour = " + colour_in(text.substr(0, at), text);
+        if (!options.space.empty()) toml += ", space = " + toml_string(options.space);
+        lines.push_back({toml + " }", {}});
+    }
+    return lines;
+}
+
+std::string picks_toml(const std::vector<PickLine>& picks) {
+    std::string text = "[\n";
+    for (const PickLine& pick : picks) {
+        text += "    " + pick.toml + ",";
+        if (!pick.comment.empty()) text += "  # " + pick.comment;
+        text += "\n";
+    }
+    return text + "]";
+}
+
+std::string pick_scene(const PickOptions& options, const std::string& material, const std::string& picks,
+                       const std::string& comments, bool has_colours) {
+    std::string text = "nacre = 1\n\n" + comments + heading("material", options.name) + material;
+    if (!picks.empty()) text += "picks = " + picks + "\n";
+    const auto add_swatch = [&](const std::string& draw) {
+        text += "\n" + heading("swatch", options.name + "_" + draw) + "draw = " + toml_string(draw) +
+                "\nmaterial = " + toml_string(options.name) + "\n";
+    };
+    if (has_colours) add_swatch("picks");
+    add_swatch("strip");
+    add_swatch("sphere");
+    return text;
+}
+
+}  // namespace nacre

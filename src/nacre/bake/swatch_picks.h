@@ -1,0 +1,15 @@
+#pragma once
+
+#include "nacre/bake/plan.h"
+#include "nacre/bake/swatch_picture.h"
+
+namespace nacre {
+
+/// Every pick that is a colour beside what the material shows there, CIEDE2000 under each pair, and the strip between
+/// them below. Colours brighter than white darken all alike. Of more than `most_pairs` picks the first are shown.
+/// @pre the job's material has picks that are colours
+Swatch draw_picks(const PlannedSwatch& planned);
+
+inline constexpr std::size_t most_pairs = 12;
+
+}  // namespace nacre

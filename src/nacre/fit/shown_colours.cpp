@@ -1,0 +1,90 @@
+#include "nacre/fit/shown_colours.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "nacre/bake/prepared_colour.h"
+#include "nacre/colour/adaptation.h"
+
+namespace nacre {
+namespace {
+
+struct SamplingRule {
+    double nodes_per_fringe;  // Chebyshev's want pi before their error falls
+    int fewest_nodes;
+    int most_nodes;
+    double nm_per_slice;  // of a crystal's planes
+    int fewest_slices;
+    int realisations;  // of uneven layers
+};
+constexpr SamplingRule rule_of(SearchDetail detail) {
+    switch (detail) {
+        case SearchDetail::table:
+            return {2.0, 16, 64, 25.0, 8, 4};
+        case SearchDetail::refinement:
+            return {3.5, 32, 512, 12.0, 16, 8};
+        case SearchDetail::report:
+            return {8.0, 128, 8192, 4.0, 64, 64};
+    }
+    return {};
+}
+
+// Slices come in fours.
+int slices_of(const Crystal& crystal, const SamplingRule& rule) {
+    constexpr double most_slices = 512.0;
+    const double wanted = std::min(plane_spacing_nm(crystal) / rule.nm_per_slice, most_slices);
+    return std::max(rule.fewest_slices, (static_cast<int>(wanted) + 3) / 4 * 4);
+}
+
+// Few grooves have broad lines, much of whose light is in their flanks: no boxes.
+constexpr int few_grooves = 8;
+
+Light coarse(const Light& light) {
+    constexpr int nodes = 64;
+    LightSettings settings = light.settings;
+    settings.wavelengths = std::min(nodes, settings.wavelengths.value_or(nodes));
+    return make_light(std::move(settings));
+}
+
+}  // namespace
+
+ShownColours::ShownColours(const Light& light, std::vector<Geometry> places)
+    : light_(light), places_(std::move(places)), grating_glance_(light), coarse_(coarse(light)) {}
+
+SearchSampling ShownColours::sampling_for(const Mechanism& mechanism, SearchDetail detail) {
+    SearchSampling sampling;
+    sampling.is_glance = detail == SearchDetail::table;
+    if (!samples_spectra(mechanism)) return sampling;
+    const SamplingRule rule = rule_of(detail);
+    SpectralSampling& spectra = sampling.spectra;
+    if (const auto* crystal = std::get_if<Crystal>(&mechanism)) spectra.slices = slices_of(*crystal, rule);
+    if (is_irregular(mechanism)) spectra.realisations = rule.realisations;
+    int count = 0;  // of nodes; 0: the scene's own
+    if (!light_.settings.wavelengths) {
+        const double wanted = rule.fewest_nodes + rule.nodes_per_fringe * fringe_count(mechanism, light_.settings);
+        count = std::min(rule.most_nodes, (static_cast<int>(std::min(wanted, 1e6)) + 7) / 8 * 8);
+    }
+    auto& nodes = nodes_[count];
+    if (!nodes) {
+        nodes = std::make_shared<const SpectralNodes>(count == 0 ? make_spectral_nodes(light_.grid_weights, light_.grid)
+                                                                 : make_spectral_nodes(light_.weights, count));
+    }
+    spectra.nodes.fill(nodes);
+    return sampling;
+}
+
+void ShownColours::at(const Mechanism& mechanism, const SearchSampling& sampling, std::span<Xyz> shown) const {
+    const auto* grating = sampling.is_glance ? std::get_if<Grating>(&mechanism) : nullptr;
+    if (grating != nullptr && grating->grooves > few_grooves) {
+        for (std::size_t i = 0; i < places_.size(); ++i)
+            shown[i] = adapt(light_.adaptation, grating_glance_.at(*grating, places_[i].grating_u));
+        return;
+    }
+    PreparedColour prepared =
+        prepare_colour(mechanism, sampling.spectra, grating != nullptr ? coarse_ : light_, Integral::exact);
+    Work work;
+    for (std::size_t i = 0; i < places_.size(); ++i)
+        shown[i] = adapt(light_.adaptation, colour_at(prepared, places_[i], work));
+}
+
+}  // namespace nacre

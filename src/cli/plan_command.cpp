@@ -80,6 +80,17 @@ nlohmann::ordered_json axis_json(const Axis& axis) {
     return {{"parameter", axis.parameter.name}, {"from", axis.from}, {"to", axis.to}};
 }
 
+// The fitted shape of a palette, and what the paper's straight lines would make of each pick.
+nlohmann::ordered_json shape_json(const Material& material) {
+    nlohmann::ordered_json json{{"shape", material.shape_fit->shape}};
+    const auto& picks = std::get<Palette>(material.mechanism).picks;
+    for (std::size_t i = 0; i < picks.size(); ++i) {
+        json["picks"].push_back(
+            {{"pick", i}, {"angle_deg", picks[i].angle_deg}, {"straight_line_de00", material.shape_fit->de00[i]}});
+    }
+    return json;
+}
+
 nlohmann::ordered_json task_json(const SettledTask& task, double seconds) {
     const SettledLut& settled = task.lut;
     const PlannedLut& lut = settled.lut;
@@ -106,6 +117,7 @@ nlohmann::ordered_json task_json(const SettledTask& task, double seconds) {
         json["base_directions"] = job.sampling.hemisphere;
     if (job.sampling.sizes > 1) json["radii"] = job.sampling.sizes;
     for (const PickedColour& picked : job.material.picked) json["picked"].push_back(picked_json(picked));
+    if (job.material.shape_fit) json["shape_fit"] = shape_json(job.material);
     json["max_de00"] = nullptr;
     if (lut.wish.has_bound) json["max_de00"] = lut.wish.max_de00;
     json["predicted"] = nullptr;
@@ -132,6 +144,21 @@ void note_picked(const LoadedScene& scene, Console& console) {
                             ", width_nm = " + significant_text(picked.lobe.width_nm, 6) +
                             ", height = " + significant_text(picked.lobe.height, 4) + ", " + match_text(picked));
         }
+    }
+}
+
+// What the picks say about the shape that the scene left open.
+void note_shapes(const LoadedScene& scene, Console& console) {
+    for (const Material& material : scene.plan.materials) {
+        if (!material.shape_fit) continue;
+        const auto& picks = std::get<Palette>(material.mechanism).picks;
+        std::string misses;
+        for (std::size_t i = 0; i < picks.size(); ++i) {
+            misses += (i == 0 ? "" : ", ") + significant_text(material.shape_fit->de00[i], 2) + " at " +
+                      number_text(picks[i].angle_deg) + " deg";
+        }
+        console.summary(material.name + ": shape = " + number_text(material.shape_fit->shape) +
+                        " is nearest to its picks; straight lines would miss them by CIEDE2000 " + misses);
     }
 }
 
@@ -210,6 +237,7 @@ int run_plan(const PlanOptions& options, Console& console) {
     for (const std::string& line : effect_text) console.summary(line);
     for (const LoadedScene& scene : scenes) {
         note_picked(scene, console);
+        note_shapes(scene, console);
         note_clamps(scene, console);
         note_edges(scene, console);
         for (const PlannedSwatch& swatch : scene.plan.swatches)

@@ -39,6 +39,10 @@ public:
                 return files_.read_colour(colour, space, where, plan_.colour);
             },
             [&](const Xyz& colour) { return lobe_finder().find(colour); },
+            {},
+            [light = plan_.light](const Lobe& lobe) {
+                return adapt(light->adaptation, lobe_to_xyz(light->weights, lobe.peak_nm, lobe.width_nm, lobe.height));
+            },
             {}};
         Materials materials(material_table(), context,
                             [&](const Table& table, const Mechanism& mechanism) { check_fringes(table, mechanism); });
@@ -49,6 +53,7 @@ public:
         }
         plan_.materials = materials.read();
         judge_picked_colours();
+        warn_of_single_picks();
         warn_of_black_gratings();
         scene_.expect_all_read();
         OutputNames().claim(plan_);
@@ -186,6 +191,15 @@ private:
                 if (request_.strict) throw Error(message);
                 plan_.warnings.push_back(message);
             }
+        }
+    }
+
+    void warn_of_single_picks() {
+        for (const Material& material : plan_.materials) {
+            const auto* palette = std::get_if<Palette>(&material.mechanism);
+            if (palette == nullptr || palette->picks.size() != 1) continue;
+            plan_.warnings.push_back(material.where.text() + " [material." + material.name +
+                                     "]: one pick says nothing about other angles: the same colour at all of them");
         }
     }
 

@@ -9,6 +9,7 @@ namespace nacre {
 Materials::Materials(const Table& table, SceneContext context, Check check)
     : table_(table), context_(std::move(context)), check_(std::move(check)) {
     context_.note_picked = [this](const PickedColour& picked) { picked_.push_back(picked); };
+    context_.note_shape = [this](const ShapeFit& fit) { shape_fit_ = fit; };
     for (const Table::Entry& entry : table.entries()) {
         check_name(entry.key, table, entry.key_where);
         names_.push_back(entry.key);
@@ -22,8 +23,10 @@ const Material& Materials::named(const std::string& name) {
     const auto entry = std::find_if(entries.begin(), entries.end(), [&](const auto& e) { return e.key == name; });
     const Table& table = table_.checked_table(entry->key, entry->value);
     picked_.clear();
-    Material material{entry->key, read_mechanism(table, context_), entry->key_where, {}};
+    shape_fit_.reset();
+    Material material{entry->key, read_mechanism(table, context_), entry->key_where, {}, {}};
     material.picked = std::exchange(picked_, {});
+    material.shape_fit = std::exchange(shape_fit_, {});
     table.expect_all_read();
     check_(table, material.mechanism);
     return read_.emplace(name, std::move(material)).first->second;

@@ -3,6 +3,7 @@
 #include <functional>
 #include <string>
 
+#include "nacre/bake/fit_shape.h"
 #include "nacre/bake/index.h"
 #include "nacre/bake/light.h"
 #include "nacre/bake/picked_colour.h"
@@ -23,6 +24,10 @@ struct SceneContext {
     LobeReader find_lobe{};
     /// Called for every pick that is a colour.
     std::function<void(const PickedColour&)> note_picked{};
+    /// Empty: shapes are not fitted.
+    LobeColour lobe_colour{};
+    /// Called for a palette whose shape was fitted.
+    std::function<void(const ShapeFit&)> note_shape{};
 };
 
 }  // namespace nacre

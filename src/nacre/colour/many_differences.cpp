@@ -132,7 +132,7 @@ HWY_INLINE V square_of_difference(const Lab& target, double target_chroma, doubl
 
 void differences(const Lab& target, const RootColours& colours, double side, float* HWY_RESTRICT squares) {
     const D d;
-    const double chroma = std::hypot(target.a, target.b);
+    const double chroma = std::sqrt(target.a * target.a + target.b * target.b);
     for (std::size_t i = 0; i < colours.count; i += hn::Lanes(d)) {
         const V factor = hn::LoadU(d, colours.factor + i);
         const auto part = [&](const float* roots) { return lab_function(hn::Mul(factor, hn::LoadU(d, roots + i))); };

@@ -74,7 +74,7 @@ public:
     Walk(const LobeColours& colours, const Lab& target)
         : colours_(colours),
           target_(target),
-          chroma_(std::hypot(target.a, target.b)),
+          chroma_(std::sqrt(target.a * target.a + target.b * target.b)),
           low_{colours.first_nm() / unit[0], narrowest_nm / unit[1], least_root / unit[2]},
           high_{colours.last_nm() / unit[0], LobePlace::widest_nm / unit[1], 1.0 / unit[2]} {}
 

@@ -81,6 +81,17 @@ nlohmann::ordered_json axis_json(const Axis& axis) {
     return {{"parameter", axis.parameter.name}, {"from", axis.from}, {"to", axis.to}};
 }
 
+// The fitted shape of a palette, and what the paper's straight lines would make of each pick.
+nlohmann::ordered_json shape_json(const Material& material) {
+    nlohmann::ordered_json json{{"shape", material.shape_fit->shape}};
+    const auto& picks = std::get<Palette>(material.mechanism).picks;
+    for (std::size_t i = 0; i < picks.size(); ++i) {
+        json["picks"].push_back(
+            {{"pick", i}, {"angle_deg", picks[i].angle_deg}, {"straight_line_de00", material.shape_fit->de00[i]}});
+    }
+    return json;
+}
+
 nlohmann::ordered_json task_json(const SettledTask& task, double seconds) {
     const SettledLut& settled = task.lut;
     const PlannedLut& lut = settled.lut;
@@ -110,6 +121,7 @@ nlohmann::ordered_json task_json(const SettledTask& task, double seconds) {
     for (const MaterialSearch& search : task.scene->plan.searches) {
         if (search.material == job.material.name) json["found"] = found_json(search);
     }
+    if (job.material.shape_fit) json["shape_fit"] = shape_json(job.material);
     json["max_de00"] = nullptr;
     if (lut.wish.has_bound) json["max_de00"] = lut.wish.max_de00;
     json["predicted"] = nullptr;
@@ -144,6 +156,21 @@ void note_picked(const LoadedScene& scene, Console& console) {
     for (const MaterialSearch& search : scene.plan.searches) {
         for (std::size_t i = 0; i < search.found.size(); ++i)
             console.summary(search.material + ": " + (i == 0 ? "found " : "or    ") + answer_text(search, i));
+    }
+}
+
+// What the picks say about the shape that the scene left open.
+void note_shapes(const LoadedScene& scene, Console& console) {
+    for (const Material& material : scene.plan.materials) {
+        if (!material.shape_fit) continue;
+        const auto& picks = std::get<Palette>(material.mechanism).picks;
+        std::string misses;
+        for (std::size_t i = 0; i < picks.size(); ++i) {
+            misses += (i == 0 ? "" : ", ") + significant_text(material.shape_fit->de00[i], 2) + " at " +
+                      number_text(picks[i].angle_deg) + " deg";
+        }
+        console.summary(material.name + ": shape = " + number_text(material.shape_fit->shape) +
+                        " is nearest to its picks; straight lines would miss them by CIEDE2000 " + misses);
     }
 }
 
@@ -222,6 +249,7 @@ int run_plan(const PlanOptions& options, Console& console) {
     for (const std::string& line : effect_text) console.summary(line);
     for (const LoadedScene& scene : scenes) {
         note_picked(scene, console);
+        note_shapes(scene, console);
         note_clamps(scene, console);
         note_edges(scene, console);
         for (const PlannedSwatch& swatch : scene.plan.swatches)

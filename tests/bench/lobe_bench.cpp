@@ -1,14 +1,18 @@
 // One lobe to XYZ, widths 40 to 400 nm: the exact integral and the fast one beside the sums that others make, and
-// beside their simple twin.
+// beside their simple twin. And back: a colour to its lobe, beside the nearest of a table.
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <random>
+#include <vector>
 
 #include "nacre/accuracy/rivals.h"
 #include "nacre/bake/light.h"
 #include "nacre/colour/difference.h"
 #include "nacre/colour/illuminant.h"
+#include "nacre/colour/lobe_finder.h"
 #include "nacre/colour/lobe_moments.h"
 #include "nacre/colour/tristimulus.h"
 #include "nacre/optics/lobe.h"
@@ -93,12 +97,115 @@ void plain_5nm_sum(benchmark::State& state) {
     over_widths(state, [](const Lobe& l) { return plain_sum(l, 5); });
 }
 
+// Random sRGB colours that a lobe has, or that none has.
+struct Colours {
+    std::vector<Xyz> reachable, unreachable;
+};
+
+const Light& light() {
+    static const Light result = [] {
+        LightSettings settings;
+        settings.power = *illuminant_by_name("D65");
+        return make_light(settings);
+    }();
+    return result;
+}
+
+const LobeFinder& finder() {
+    static const LobeFinder result(light().weights, light().moments, light().adaptation);
+    return result;
+}
+
+Xyz random_srgb(std::mt19937& generator) {
+    std::array<double, 3> c{};
+    for (double& linear : c) {
+        const double value = static_cast<double>(generator()) / 4294967296.0;
+        linear = value <= 0.04045 ? value / 12.92 : std::pow((value + 0.055) / 1.055, 2.4);
+    }
+    return {0.4123908 * c[0] + 0.3575843 * c[1] + 0.1804808 * c[2],
+            0.2126390 * c[0] + 0.7151687 * c[1] + 0.0721923 * c[2],
+            0.0193308 * c[0] + 0.1191948 * c[1] + 0.9505322 * c[2]};
+}
+
+const Colours& srgb_colours() {
+    static const Colours result = [] {
+        std::mt19937 generator(5);
+        Colours colours;
+        for (int i = 0; i < 10000; ++i) {
+            const Xyz colour = random_srgb(generator);
+            const bool is_reachable = finder().find(colour).miss == LobeMiss::none;
+            (is_reachable ? colours.reachable : colours.unreachable).push_back(colour);
+        }
+        return colours;
+    }();
+    return result;
+}
+
+void find_all(benchmark::State& state, const std::vector<Xyz>& colours) {
+    for (auto _ : state) {
+        for (const Xyz& colour : colours) benchmark::DoNotOptimize(finder().find(colour));
+    }
+    state.counters["per_colour"] =
+        benchmark::Counter(static_cast<double>(colours.size() * static_cast<std::size_t>(state.iterations())),
+                           benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
+}
+
+void colour_to_lobe_reachable(benchmark::State& state) {
+    find_all(state, srgb_colours().reachable);
+}
+void colour_to_lobe_unreachable(benchmark::State& state) {
+    find_all(state, srgb_colours().unreachable);
+}
+
+// The loop that one would write: the nearest in CIEDE2000 of 118 peaks and 48 widths, each as light as the colour, and
+// no search from there.
+void colour_to_lobe_of_a_table(benchmark::State& state) {
+    const Xyz white = xyz_from_chromaticity(d65_chromaticity);
+    std::vector<Xyz> lobes;
+    for (int i = 0; i < 118; ++i) {
+        for (int j = 1; j < 48; ++j) {
+            const double width_nm = 1000.0 * (j / 47.0) * (j / 47.0);
+            const Xyz xyz = lobe_to_xyz(light().weights, 360.0 + 4.0 * i, width_nm, 1.0);
+            lobes.push_back(adapt(light().adaptation, xyz));
+        }
+    }
+    const std::vector<Xyz>& colours = srgb_colours().unreachable;
+    constexpr std::size_t count = 20;
+    std::array<double, count> nearest{};
+    for (std::size_t i = 0; i < count; ++i) nearest[i] = finder().find(colours[i]).de00;
+    double lost = 0.0;
+    for (auto _ : state) {
+        for (std::size_t i = 0; i < count; ++i) {
+            const Lab target = to_lab(colours[i], white);
+            double best = 1e9;
+            for (const Xyz& lobe : lobes) {
+                const double height = std::min(1.0, colours[i].y / std::max(lobe.y, 1e-9));
+                const Xyz dimmed{height * lobe.x, height * lobe.y, height * lobe.z};
+                best = std::min(best, ciede2000(target, to_lab(dimmed, white)));
+            }
+            lost = std::max(lost, best - nearest[i]);
+        }
+    }
+    state.counters["lost_dE00"] = lost;  // at worst, beside the search
+    state.counters["per_colour"] =
+        benchmark::Counter(static_cast<double>(count * static_cast<std::size_t>(state.iterations())),
+                           benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
+}
+
+void lobe_finder_set_up(benchmark::State& state) {
+    for (auto _ : state) benchmark::DoNotOptimize(LobeFinder(light().weights, light().moments, light().adaptation));
+}
+
 BENCHMARK(fast);
 BENCHMARK(exact);
 BENCHMARK(good_1nm_sum);
 BENCHMARK(exact_per_cell);
 BENCHMARK(plain_1nm_sum);
 BENCHMARK(plain_5nm_sum);
+BENCHMARK(colour_to_lobe_reachable);
+BENCHMARK(colour_to_lobe_unreachable);
+BENCHMARK(colour_to_lobe_of_a_table);
+BENCHMARK(lobe_finder_set_up)->Unit(benchmark::kMillisecond);
 
 }  // namespace
 }  // namespace nacre

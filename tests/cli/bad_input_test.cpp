@@ -85,8 +85,7 @@ const std::vector<Mistake> mistakes{
     {"HeightAboveOne", picks("angle_deg = 0, peak_nm = 460, width_nm = 20, height = 1.01", pick_b),
      ":3:61 [material.beetle]: height = 1.01 is out of range; allowed [0, 1]"},
     {"ShapeOutside", scene("shape = 1.5\n"), ":4:9 [material.m]: shape = 1.5 is out of range; allowed [0, 1]"},
-    {"OnePick", "[material.m]\npicks = [ { " + std::string(pick_a) + " } ]\n",
-     ":2:9 [material.m]: picks has 1 entry; allowed 2 to 100 (the colour at one angle says nothing about the others)"},
+    {"NoPick", "[material.m]\npicks = [ ]\n", ":2:9 [material.m]: picks has 0 entries; allowed 1 to 100"},
     {"OneAngleTwoColours", picks(pick_a, "angle_deg = 0, peak_nm = 500, width_nm = 70, height = 1"),
      ":2:9 [material.beetle]: picks[0] and picks[1] are different colours at one angle, 0 degrees; allowed are angles "
      "at "

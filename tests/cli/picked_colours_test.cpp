@@ -179,6 +179,77 @@ TEST(PickedColours, StandInThePlanTheHeaderAndTheManifest) {
     EXPECT_EQ(verified.exit_code, 0) << verified.err;
 }
 
+TEST(OnePick, IsTheSameColourAtEveryAngleWithAWarning) {
+    const Plan plan = plan_of(picks + "colour = \"#2c2\" } ]\n");
+    ASSERT_EQ(plan.warnings.size(), 1u);
+    EXPECT_EQ(plan.warnings[0],
+              "s.toml:1:11 [material.m]: one pick says nothing about other angles: the same colour at all of them");
+    const Palette& palette = palette_of(plan);
+    ASSERT_EQ(palette.picks.size(), 1u);
+    for (const double angle_deg : {0.0, 45.0, 90.0})
+        EXPECT_EQ(palette_lobe(palette, Incidence::from_degrees(angle_deg)), palette.picks[0].lobe);
+    EXPECT_FALSE(palette_clamp_bounds(palette).below_deg || palette_clamp_bounds(palette).above_deg);
+    EXPECT_EQ(palette_of(plan_of("[material.m]\n" + mechanism_toml(plan.materials[0].mechanism))), palette);
+}
+
+TEST(OnePick, BakesWithEverySwatchAndAxis) {
+    const TemporaryFolder folder;
+    std::string scene = picks + "peak_nm = 520, width_nm = 120, height = 0.6 } ]\n[accuracy]\nmax_de00 = 1\n[lut.a]\n";
+    scene += "[lut.b]\nx = \"cos_theta\"\ny = { parameter = \"picks[0].peak_nm\", from = 400, to = 700 }\n";
+    scene += "[lut.c]\nx = { parameter = \"shape\", from = 0, to = 1 }\nangle_deg = 30\n";
+    for (const char* kind : {"plane", "palette", "strip", "sphere"})
+        scene += "[swatch." + std::string(kind) + "]\ndraw = \"" + kind + "\"\n";
+    folder.file("s.toml", scene);
+    const ProgramOptions here{folder.path(), {}, {}, {}};
+    const ProgramResult baked = run_nacre({"bake", "s.toml", "-o", "out"}, here);
+    EXPECT_EQ(baked.exit_code, 0) << baked.err;
+    EXPECT_NE(baked.err.find("one pick says nothing about other angles"), std::string::npos) << baked.err;
+    for (const char* file : {"a.exr", "b.exr", "c.exr", "plane.png", "palette.png", "strip.png", "sphere.png"})
+        EXPECT_TRUE(std::filesystem::exists(folder.path() / "out" / file)) << file;
+    const ProgramResult verified = run_nacre({"verify", "out/a.exr", "out/b.exr", "out/c.exr"}, here);
+    EXPECT_EQ(verified.exit_code, 0) << verified.err;
+}
+
+// Three picks on a straight line for p = 0.5: cos 60 = 0.5, so Y = 1, 0.375 and 0.
+const std::string straight =
+    "[material.m]\npicks = [ { angle_deg = 0, peak_nm = 560, width_nm = 120, height = 0.9 },\n"
+    "{ angle_deg = 60, peak_nm = 510, width_nm = 145, height = 0.65 },\n"
+    "{ angle_deg = 90, peak_nm = 480, width_nm = 160, height = 0.5 } ]\n";
+
+TEST(FittedShape, IsThePicksOwnAndAGivenOneIsKept) {
+    const Plan plan = plan_of(straight);
+    EXPECT_NEAR(palette_of(plan).shape, 0.5, 1e-3);
+    ASSERT_TRUE(plan.materials.at(0).shape_fit.has_value());
+    EXPECT_EQ(plan.materials.at(0).shape_fit->shape, palette_of(plan).shape);
+    EXPECT_EQ(plan.materials.at(0).shape_fit->de00.size(), 3u);
+    EXPECT_TRUE(plan.warnings.empty());
+    const Plan given = plan_of(straight + "shape = 0.2\n");
+    EXPECT_EQ(palette_of(given).shape, 0.2);
+    EXPECT_FALSE(given.materials.at(0).shape_fit.has_value());
+    // What a header carries is given.
+    const Plan again = plan_of("[material.m]\n" + mechanism_toml(plan.materials[0].mechanism));
+    EXPECT_EQ(again.materials[0].mechanism, plan.materials[0].mechanism);
+    EXPECT_FALSE(again.materials.at(0).shape_fit.has_value());
+    const Plan two = plan_of(picks + "colour = \"#2c2\" }, { angle_deg = 40, colour = \"#22c\" } ]\n");
+    EXPECT_EQ(palette_of(two).shape, Palette::default_shape);
+    EXPECT_FALSE(two.materials.at(0).shape_fit.has_value());
+}
+
+TEST(FittedShape, StandsInThePlan) {
+    const TemporaryFolder folder;
+    folder.file("s.toml", straight + "[accuracy]\nmax_de00 = 1\n");
+    const ProgramOptions here{folder.path(), {}, {}, {}};
+    const ProgramResult plan = run_nacre({"plan", "s.toml"}, here);
+    EXPECT_EQ(plan.exit_code, 0) << plan.err;
+    EXPECT_NE(plan.out.find("m: shape = 0.5 is nearest to its picks; straight lines would miss them by CIEDE2000 "),
+              std::string::npos)
+        << plan.out;
+    const ProgramResult json = run_nacre({"plan", "s.toml", "--json"}, here);
+    const std::string first = json.out.substr(0, json.out.find('\n'));
+    EXPECT_NE(json.out.find("\"shape_fit\""), std::string::npos) << first;
+    EXPECT_NE(json.out.find("\"straight_line_de00\""), std::string::npos) << first;
+}
+
 TEST(Pick, PrintsASceneThatBakes) {
     const TemporaryFolder folder;
     const ProgramOptions here{folder.path(), {}, {}, {}};

@@ -8,6 +8,7 @@
 #include <variant>
 #include <vector>
 
+#include "nacre/bake/fit_shape.h"
 #include "nacre/bake/geometry.h"
 #include "nacre/bake/picked_colour.h"
 #include "nacre/bake/table.h"
@@ -55,7 +56,8 @@ struct Material {
     std::string name;
     Mechanism mechanism;
     Where where;
-    std::vector<PickedColour> picked{};  ///< of the mechanism's picks those that were given as colours
+    std::vector<PickedColour> picked{};   ///< of the mechanism's picks those that were given as colours
+    std::optional<ShapeFit> shape_fit{};  ///< of a palette that left its shape open
 };
 
 /// A number of a mechanism that a LUT may have as its axis.

@@ -67,6 +67,16 @@ void take_shape_of_neighbours(const std::vector<std::size_t>& black, Palette& pa
     }
 }
 
+// What the scene leaves open is fitted, where picks say anything about it.
+void read_shape(const Table& table, const SceneContext& context, Palette& palette) {
+    palette.shape = table.number_or("shape", allowed_shape, Palette::default_shape);
+    if (table.find("shape") != nullptr || !context.picks.lobe_colour) return;
+    const auto fit = fit_shape(palette.picks, context.picks.lobe_colour);
+    if (!fit) return;
+    palette.shape = fit->shape;
+    context.note_shape(*fit);
+}
+
 }  // namespace
 
 std::vector<Parameter> palette_parameters(const Palette& palette) {
@@ -107,14 +117,12 @@ Palette read_palette(const Table& table, const SceneContext& context) {
     const Value* picks = table.find("picks");
     if (picks == nullptr) {
         table.fail_missing("picks",
-                           "give two or more, each { angle_deg, colour } or { angle_deg, peak_nm, width_nm, height }");
+                           "give one or more, each { angle_deg, colour } or { angle_deg, peak_nm, width_nm, height }");
     }
     const Value::Array& list = table.checked_array("picks", *picks);
-    if (list.size() < 2 || list.size() > most_picks) {
-        table.fail(picks->where, "picks has " + std::to_string(list.size()) +
-                                     (list.size() == 1 ? " entry" : " entries") + "; allowed 2 to " +
-                                     std::to_string(most_picks) +
-                                     " (the colour at one angle says nothing about the others)");
+    if (list.empty() || list.size() > most_picks) {
+        table.fail(picks->where,
+                   "picks has " + std::to_string(list.size()) + " entries; allowed 1 to " + std::to_string(most_picks));
     }
     std::vector<std::size_t> black;
     for (const Value& element : list) {
@@ -134,8 +142,8 @@ Palette read_palette(const Table& table, const SceneContext& context) {
         pick.expect_all_read();
     }
     take_shape_of_neighbours(black, palette);
-    palette.shape = table.number_or("shape", allowed_shape, Palette::default_shape);
     check_picks_differ(palette, table, picks->where);
+    read_shape(table, context, palette);
     return palette;
 }
 

@@ -34,10 +34,7 @@ public:
             {files_.find_material, static_cast<double>(light.first_nm), static_cast<double>(light.last_nm)},
             files_.read_curve,
             files_.read_spectra,
-            pick_readers(),
-            {},
-            {},
-            {}};
+            pick_readers()};
         if (files_.find_mechanisms) {
             context.find_mechanisms = [&](const MechanismSearch& search) {
                 return files_.find_mechanisms(search, *plan_.light);
@@ -53,6 +50,7 @@ public:
         plan_.materials = materials.read();
         plan_.searches = materials.searches();
         judge_picked_colours();
+        warn_of_single_picks();
         warn_of_black_gratings();
         scene_.expect_all_read();
         OutputNames().claim(plan_);
@@ -209,6 +207,15 @@ private:
                 if (request_.strict) throw Error(message);
                 plan_.warnings.push_back(message);
             }
+        }
+    }
+
+    void warn_of_single_picks() {
+        for (const Material& material : plan_.materials) {
+            const auto* palette = std::get_if<Palette>(&material.mechanism);
+            if (palette == nullptr || palette->picks.size() != 1) continue;
+            plan_.warnings.push_back(material.where.text() + " [material." + material.name +
+                                     "]: one pick says nothing about other angles: the same colour at all of them");
         }
     }
 

@@ -12,6 +12,7 @@ Materials::Materials(const Table& table, SceneContext context, Check check)
     context_.note_found = [this](const MechanismSearch& search, const std::vector<FoundMechanism>& found) {
         searches_.push_back({"", search, found});
     };
+    context_.note_shape = [this](const ShapeFit& fit) { shape_fit_ = fit; };
     for (const Table::Entry& entry : table.entries()) {
         check_name(entry.key, table, entry.key_where);
         names_.push_back(entry.key);
@@ -26,9 +27,11 @@ const Material& Materials::named(const std::string& name) {
     const Table& table = table_.checked_table(entry->key, entry->value);
     picked_.clear();
     const std::size_t searches = searches_.size();
-    Material material{entry->key, read_mechanism(table, context_), entry->key_where, {}};
+    shape_fit_.reset();
+    Material material{entry->key, read_mechanism(table, context_), entry->key_where, {}, {}};
     for (std::size_t i = searches; i < searches_.size(); ++i) searches_[i].material = entry->key;
     material.picked = std::exchange(picked_, {});
+    material.shape_fit = std::exchange(shape_fit_, {});
     table.expect_all_read();
     check_(table, material.mechanism);
     return read_.emplace(name, std::move(material)).first->second;

@@ -66,7 +66,8 @@ private:
     const Table& table_;
     SceneContext context_;
     Check check_;
-    std::vector<PickedColour> picked_;  // of the material that is being read
+    std::vector<PickedColour> picked_;   // of the material that is being read
+    std::optional<ShapeFit> shape_fit_;  // likewise
     std::vector<MaterialSearch> searches_;
     std::vector<std::string> names_;
     std::map<std::string, Material> read_;

@@ -3,6 +3,7 @@
 #include <functional>
 #include <string>
 
+#include "nacre/bake/fit_shape.h"
 #include "nacre/bake/index.h"
 #include "nacre/bake/light.h"
 #include "nacre/bake/mechanism_search.h"
@@ -27,6 +28,8 @@ struct SceneContext {
     std::function<void(const PickedColour&)> note_picked{};
     /// Called with what was found for a material's picks.
     std::function<void(const MechanismSearch&, const std::vector<FoundMechanism>&)> note_found{};
+    /// Called for a palette whose shape was fitted.
+    std::function<void(const ShapeFit&)> note_shape{};
 };
 
 }  // namespace nacre

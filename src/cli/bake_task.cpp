@@ -47,7 +47,7 @@ std::string lut_line(const BakeTask& task, const BakedLut& baked) {
     if (baked.gamut.outside > 0) {
         const Gamut rule = task.scene->plan.colour.gamut;
         line += "  " + std::to_string(baked.gamut.outside) + " of " + std::to_string(baked.image.size()) +
-                " texels out of gamut, " +
+                " texels out of gamut by up to " + short_number(-baked.gamut.most_negative) + ", " +
                 (rule == Gamut::keep   ? "kept"
                  : rule == Gamut::clip ? "clipped"
                                        : "compressed");

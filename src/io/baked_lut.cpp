@@ -5,12 +5,14 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <memory>
 #include <nlohmann/json.hpp>
 
 #include "io/hash.h"
 #include "nacre/bake/bake.h"
 #include "nacre/bake/text.h"
 #include "nacre/colour/rgb_space.h"
+#include "nacre/error.h"
 #include "nacre_version.h"
 
 namespace nacre {
@@ -105,11 +107,21 @@ LutHeader make_header(const SettledLut& settled, const ColourSettings& colour, c
     add("colourTransform", transform.to_ctf());
     add("gamut", std::string(name_of(gamut_words, colour.gamut)));
     add("gamutOutside", std::to_string(baked.gamut.outside));
+    // Where negative components are kept the file has them itself.
+    if (colour.gamut != Gamut::keep) add("gamutMostNegative", number_text(-rounded_up(-baked.gamut.most_negative)));
     if (baked.clamped.below_deg) add("clampedBelowDeg", angle_text(*baked.clamped.below_deg));
     if (baked.clamped.above_deg) add("clampedAboveDeg", angle_text(*baked.clamped.above_deg));
     add("scene", scene);
     add("sceneHash", hash_text(scene));
     return header;
+}
+
+GamutRule gamut_rule(const ColourTransform& transform, Gamut gamut) {
+    if (gamut == Gamut::compress && !transform.linear_matrix()) {
+        throw Error("gamut = \"compress\" needs a linear space, and " + transform.target() +
+                    " is none; use clip or keep");
+    }
+    return {gamut, transform.linear_matrix()};
 }
 
 nlohmann::ordered_json axis_json(const Axis& axis) {
@@ -125,9 +137,11 @@ std::string_view nacre_version() {
 
 Encoding lut_encoding(const ColourTransform& transform, Gamut gamut) {
     Encoding encoding;
-    encoding.to_rgb = [&transform, gamut](const Image<Xyz>& xyz) {
+    // Shared, because a std::function is copied with what it holds.
+    encoding.to_rgb = [&transform,
+                       rule = std::make_shared<const GamutRule>(gamut_rule(transform, gamut))](const Image<Xyz>& xyz) {
         Image<Rgb> rgb = transform.apply(xyz);
-        fit_to_gamut(gamut, rgb, xyz);
+        rule->apply(rgb, xyz);
         return rgb;
     };
     if (transform.has_way_back()) {
@@ -144,12 +158,14 @@ BakedLut bake_lut(const SettledLut& settled, const ColourSettings& colour, const
     BakedLut baked;
     const Image<Xyz> xyz = bake(lut.job, after_row, &baked.work);
     baked.image = transform.apply(xyz);
-    baked.gamut = fit_to_gamut(colour.gamut, baked.image, xyz);
+    baked.gamut = gamut_report(baked.image);
+    gamut_rule(transform, colour.gamut).apply(baked.image, xyz);
     check_storable(baked.image, lut.format);
     for (Rgb& texel : baked.image) {
         for (double Rgb::*component : {&Rgb::r, &Rgb::g, &Rgb::b})
             texel.*component = stored_value(texel.*component, lut.format);
     }
+    baked.left = gamut_report(baked.image);
     const Encoding encoding = lut_encoding(transform, colour.gamut);
     if (encoding.to_xyz) {
         const Measured measured = measure(lut.job, baked.image, encoding, settled.worst);
@@ -210,6 +226,10 @@ std::string manifest_json(const SettledLut& settled, const BakedLut& baked) {
     json["gamut"] = {{"rule", header.value("gamut")},
                      {"texels_outside", baked.gamut.outside},
                      {"most_negative", baked.gamut.most_negative}};
+    // Of what is kept it would say the same again.
+    if (header.value("gamut") != name_of(gamut_words, Gamut::keep)) {
+        json["gamut"]["left"] = {{"texels_outside", baked.left.outside}, {"most_negative", baked.left.most_negative}};
+    }
     json["light"] = {{"illuminant", light.illuminant},
                      {"observer", header.value("observer")},
                      {"adapt", header.value("adapt")},

@@ -26,6 +26,7 @@ struct BakedLut {
         reached;          ///< largest error found, rounded up to three digits; nothing where it cannot be known
     Work work;            ///< baking and measuring; settling not counted
     GamutReport gamut;    ///< before [colour] gamut was applied
+    GamutReport left;     ///< after it, of the numbers as stored
     ClampBounds clamped;  ///< beyond these angles the picks ask for what no surface can do
 };
 
@@ -36,6 +37,7 @@ struct ColourSource {
 };
 
 /// How LUTs are encoded in a space under a gamut rule. Refers to the transform, which has to outlive it.
+/// @throws Error if the rule needs a linear space and this is none
 Encoding lut_encoding(const ColourTransform& transform, Gamut gamut);
 
 /// XYZ of every texel, through the colour transform and the gamut's rule, measured, with its header.

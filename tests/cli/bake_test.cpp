@@ -7,8 +7,10 @@
 #include <cstdlib>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <regex>
 #include <tuple>
 
+#include "io/hash.h"
 #include "io/lut_file.h"
 #include "support/program.h"
 
@@ -177,22 +179,100 @@ TEST(Bake, DefaultSpaceIsFoundByTheNameThatTheConfigHasForIt) {
     }
 }
 
-TEST(Bake, GamutRulesLeaveNoNegativeComponent) {
+TEST(Bake, GamutRulesLeaveNoNegativeComponentSayWhatTheyDidAndVerify) {
     const TemporaryFolder folder;
     for (const std::string rule : {"keep", "clip", "compress"}) {
         folder.file("s.toml", std::string(two_picks) + "[colour]\ngamut = \"" + rule + "\"\n");
-        const ProgramResult result = bake(folder, {});
+        const ProgramResult result = bake(folder, {"--json"});
         ASSERT_EQ(result.exit_code, 0) << result.err;
+        const std::string path = (folder.path() / "out/morpho.exr").string();
+        const StoredLut stored = read_lut(path);
         double smallest = 0.0;
-        for (const Rgb& texel : read_lut((folder.path() / "out/morpho.exr").string()).image) {
-            smallest = std::min({smallest, texel.r, texel.g, texel.b});
-        }
+        for (const Rgb& texel : stored.image) smallest = std::min({smallest, texel.r, texel.g, texel.b});
+
+        const auto said = nlohmann::json::parse(result.out)["luts"][0]["gamut"];
+        EXPECT_EQ(said, nlohmann::json::parse(file_bytes(folder.path() / "out/morpho.json"))["gamut"]);
+        EXPECT_EQ(said["rule"], rule);
+        EXPECT_GT(said["texels_outside"], 10);
+        EXPECT_LT(said["most_negative"], -0.01) << "blue of a Morpho lies outside Rec.709";
+        EXPECT_EQ(stored.header.value("gamut"), rule);
+        EXPECT_EQ(stored.header.value("gamutOutside"), said["texels_outside"].dump());
         if (rule == "keep") {
-            EXPECT_LT(smallest, -0.01) << "blue of a Morpho lies outside Rec.709";
+            EXPECT_NEAR(smallest, said["most_negative"].get<double>(), 1e-4);
+            EXPECT_FALSE(said.contains("left"));
+            EXPECT_EQ(stored.header.value("gamutMostNegative"), "");
             EXPECT_NE(result.err.find("negative components"), std::string::npos);
         } else {
             EXPECT_EQ(smallest, 0.0) << rule;
+            EXPECT_EQ(said["left"], (nlohmann::json{{"texels_outside", 0}, {"most_negative", 0.0}})) << rule;
+            EXPECT_NEAR(std::stod(stored.header.value("gamutMostNegative")), said["most_negative"].get<double>(), 1e-3);
+            EXPECT_EQ(result.err.find("negative components"), std::string::npos);
         }
+        const ProgramResult verified = run_nacre({"verify", path});
+        EXPECT_EQ(verified.exit_code, 0) << rule << verified.out << verified.err;
+    }
+}
+
+TEST(Bake, SummarySaysHowFarOutsideAndWhatWasDone) {
+    const TemporaryFolder folder;
+    for (const auto& [rule, done] : {std::pair{"keep", "kept"}, {"clip", "clipped"}, {"compress", "compressed"}}) {
+        folder.file("s.toml",
+                    std::string("[accuracy]\nsize = 64\n") + two_picks + "[colour]\ngamut = \"" + rule + "\"\n");
+        const ProgramResult result = bake(folder, {});
+        ASSERT_EQ(result.exit_code, 0) << result.err;
+        EXPECT_TRUE(std::regex_search(
+            result.out, std::regex(std::string(R"(  \d+ of 64 texels out of gamut by up to 0\.0\d+, )") + done)))
+            << result.out;
+    }
+}
+
+TEST(Bake, CompressIntoEveryLinearSpaceVerifies) {
+    const TemporaryFolder folder;
+    for (const std::string space : {"lin_ap1", "lin_ap0", "lin_rec2020", "lin_p3d65"}) {
+        folder.file("s.toml", std::string(two_picks) + "[colour]\nspace = \"" + space + "\"\ngamut = \"compress\"\n");
+        ASSERT_EQ(bake(folder, {}).exit_code, 0) << space;
+        const std::string path = (folder.path() / "out/morpho.exr").string();
+        for (const Rgb& texel : read_lut(path).image) EXPECT_GE(std::min({texel.r, texel.g, texel.b}), 0.0) << space;
+        const ProgramResult result = run_nacre({"verify", path});
+        EXPECT_EQ(result.exit_code, 0) << space << result.out;
+    }
+}
+
+TEST(Bake, VerifyRefusesAForgedHeaderThatCompressesIntoACurve) {
+    const TemporaryFolder folder;
+    folder.file("s.toml", std::string(two_picks) + "[colour]\nspace = \"srgb_rec709\"\ngamut = \"clip\"\n");
+    ASSERT_EQ(bake(folder, {}).exit_code, 0);
+    const std::string path = (folder.path() / "out/morpho.exr").string();
+    StoredLut lut = read_lut(path);
+    std::string scene = lut.header.value("scene");
+    scene.replace(scene.find("\"clip\""), 6, "\"compress\"");
+    for (auto& [name, value] : lut.header.nacre) {
+        if (name == "scene") value = scene;
+        if (name == "sceneHash") value = hash_text(scene);
+    }
+    folder.file("out/morpho.exr", encode_lut(lut.image, lut.format, lut.header));
+    const ProgramResult result = run_nacre({"verify", path});
+    EXPECT_EQ(result.exit_code, 4) << result.out << result.err;
+    EXPECT_NE(result.out.find("gamut = \"compress\" needs a linear space, and srgb_rec709 is none"), std::string::npos)
+        << result.out;
+}
+
+// The line of text below says so, where there is something to say.
+TEST(Bake, PicturesOfALutShowWhereItLeavesItsSpace) {
+    const TemporaryFolder folder;
+    const auto height = [&](const char* file) {
+        OIIO::ImageBuf picture((folder.path() / "out" / file).string());
+        return picture.read() ? picture.spec().height : 0;
+    };
+    const std::string pictures =
+        "[lut.morpho]\nsize = 64\noutputs = [\"png\"]\n[swatch.strip]\ndraw = \"strip\"\n[swatch.ball]\ndraw = "
+        "\"sphere\"\n";
+    for (const auto& [space, expected] : {std::pair{"lin_rec709", 452}, {"lin_ap0", 422}}) {
+        folder.file("s.toml", std::string("[colour]\nspace = \"") + space + "\"\n" + two_picks + pictures);
+        ASSERT_EQ(bake(folder, {}).exit_code, 0) << space;
+        EXPECT_EQ(height("morpho.png"), expected) << space;
+        EXPECT_EQ(height("strip.png"), expected) << space;
+        EXPECT_EQ(height("ball.png"), 900) << space;
     }
 }
 

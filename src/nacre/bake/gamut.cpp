@@ -10,18 +10,6 @@ Rgb clip_to_gamut(Rgb colour) {
     return {clip(colour.r), clip(colour.g), clip(colour.b)};
 }
 
-Rgb compress_to_gamut(Rgb colour, double luminance) {
-    assert(luminance >= 0.0);
-    // colour + t (Y - colour) = 0 for the component that needs the most of it.
-    double t = 0.0;
-    for (const double c : {colour.r, colour.g, colour.b}) {
-        if (c < 0.0) t = std::max(t, c / (c - luminance));
-    }
-    const auto mix = [&](double c) { return c + t * (luminance - c); };
-    // The component that is zero by construction is so within rounding; clip makes it exact.
-    return clip_to_gamut({mix(colour.r), mix(colour.g), mix(colour.b)});
-}
-
 GamutReport gamut_report(const Image<Rgb>& image) {
     GamutReport report;
     for (const Rgb& pixel : image) {
@@ -32,9 +20,13 @@ GamutReport gamut_report(const Image<Rgb>& image) {
     return report;
 }
 
-GamutReport fit_to_gamut(Gamut gamut, Image<Rgb>& image, const Image<Xyz>& xyz) {
-    const GamutReport before = gamut_report(image);
-    switch (gamut) {
+GamutRule::GamutRule(Gamut gamut, const std::optional<glm::dmat3>& rgb_of_xyz) : gamut_(gamut) {
+    assert(gamut != Gamut::compress || rgb_of_xyz);
+    if (gamut == Gamut::compress) compression_.emplace(*rgb_of_xyz);
+}
+
+void GamutRule::apply(Image<Rgb>& image, const Image<Xyz>& xyz) const {
+    switch (gamut_) {
         case Gamut::keep:
             break;
         case Gamut::clip:
@@ -42,11 +34,9 @@ GamutReport fit_to_gamut(Gamut gamut, Image<Rgb>& image, const Image<Xyz>& xyz) 
             break;
         case Gamut::compress:
             assert(xyz.width() == image.width() && xyz.height() == image.height());
-            std::transform(image.begin(), image.end(), xyz.begin(), image.begin(),
-                           [](const Rgb& rgb, const Xyz& colour) { return compress_to_gamut(rgb, colour.y); });
+            std::transform(image.begin(), image.end(), xyz.begin(), image.begin(), *compression_);
             break;
     }
-    return before;
 }
 
 }  // namespace nacre

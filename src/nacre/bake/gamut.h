@@ -1,7 +1,10 @@
 #pragma once
 
 #include <cstddef>
+#include <glm/mat3x3.hpp>
+#include <optional>
 
+#include "nacre/bake/gamut_compression.h"
 #include "nacre/bake/image.h"
 #include "nacre/colour/colour_types.h"
 
@@ -10,8 +13,8 @@ namespace nacre {
 /// What happens to colours that the target's primaries cannot make, i.e. to negative components.
 ///
 /// `keep` writes them as they are: right in colour, and what a shader that renders in a wider space wants.
-/// `clip` cuts at zero: shifts hue and raises luminance. `compress` desaturates along a straight line towards the grey
-/// of the same luminance, just far enough: keeps Y, and hue in the chromaticity diagram.
+/// `clip` cuts at zero: shifts hue and raises luminance, and what differs by its negative components becomes one
+/// colour. `compress` lowers chroma and keeps hue and lightness as they are seen, see GamutCompression.
 enum class Gamut { keep, clip, compress };
 
 /// A component below this is outside the gamut, not rounding.
@@ -29,22 +32,26 @@ struct GamutReport {
 /// Negative components become 0 (and -0 becomes 0).
 Rgb clip_to_gamut(Rgb colour);
 
-/// The mix of a colour with the grey of its luminance, of which no component is negative, nearest to the colour.
-///
-/// The luminance of the result is the colour's own: mixing is linear, so is luminance, and the grey (Y, Y, Y) has the
-/// luminance Y in every linear space whose white is (1, 1, 1).
-/// @param colour     linear light
-/// @param luminance  Y of that colour, >= 0 (0 gives black)
-Rgb compress_to_gamut(Rgb colour, double luminance);
-
 /// How much of the image is outside.
 GamutReport gamut_report(const Image<Rgb>& image);
 
-/// Treats every pixel of the image, and reports what the image was before.
-///
-/// @param image  RGB of the target; linear light for `compress` (planning refuses it for encoded targets)
-/// @param xyz    the same pixels before the conversion, Y = 1 for the perfect reflector; read by `compress` only
-/// @pre for `compress`, both have the same size and every Y is >= 0
-GamutReport fit_to_gamut(Gamut gamut, Image<Rgb>& image, const Image<Xyz>& xyz);
+/// A rule, made ready for one space. May be used from many threads.
+class GamutRule {
+public:
+    /// @param rgb_of_xyz  XYZ (D65) to the target, if that is all there is between them; read by `compress` only
+    /// @pre for `compress` there is one, and grey has components > 0
+    GamutRule(Gamut gamut, const std::optional<glm::dmat3>& rgb_of_xyz);
+
+    /// Treats every pixel of the image.
+    ///
+    /// @param image  RGB of the target
+    /// @param xyz    the same pixels before the conversion, Y = 1 for the perfect reflector; read by `compress` only
+    /// @pre for `compress`, both have the same size
+    void apply(Image<Rgb>& image, const Image<Xyz>& xyz) const;
+
+private:
+    Gamut gamut_;
+    std::optional<GamutCompression> compression_;
+};
 
 }  // namespace nacre

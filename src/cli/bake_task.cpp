@@ -5,34 +5,20 @@
 
 #include "cli/report.h"
 #include "cli/stop_signal.h"
+#include "cli/swatch_file.h"
 #include "cli/thread_clock.h"
-#include "io/swatch_png.h"
 #include "nacre/bake/output_names.h"
-#include "nacre/bake/swatch.h"
 #include "nacre/bake/text.h"
 #include "nacre/error.h"
 
 namespace nacre {
 namespace {
 
-// What the Color Interop Forum calls the encoding of an sRGB display.
-constexpr std::string_view srgb_display_id = "srgb_rec709_display";
-
 // Nothing is written that is there already.
 void put(const BakeTarget& target, const std::string& name, std::string_view bytes, bool& unchanged) {
     if (!target.force && target.folder.holds(name, bytes)) return;
     unchanged = false;
     target.folder.write(name, bytes);
-}
-
-std::string swatch_bytes(const PlannedSwatch& swatch, const LoadedScene& scene, const ColourTransform& transform,
-                         const std::filesystem::path& font) {
-    const LutSpace space{scene.transform.target(),
-                         [&](const Image<Xyz>& image) { return scene.transform.apply(image); }};
-    const PngSettings settings{font, transform.interop_id() == srgb_display_id, swatch.gamut == Gamut::compress};
-    const auto bytes = encode_swatch_png(
-        draw_swatch(swatch, space), [&](const Image<Xyz>& image) { return transform.apply(image); }, settings);
-    return {bytes.begin(), bytes.end()};
 }
 
 // "dE00 0.021 of 0.1".
@@ -86,7 +72,7 @@ void put_files(const BakeTask& task, const std::string& exr, const std::string& 
                 PlannedSwatch strip;
                 strip.title = lut.name;
                 strip.jobs = {lut.job};
-                put(target, file, swatch_bytes(strip, *task.scene, *task.scene->strip_transform, target.font),
+                put(target, file, swatch_bytes(strip, task.scene->transform, *task.scene->strip_transform, target.font),
                     unchanged);
                 break;
             }
@@ -138,7 +124,7 @@ BakeOutcome bake_one_swatch(const BakeTask& task, const BakeTarget& target) {
     const ColourTransform& transform = task.scene->swatch_transforms[task.swatch_index];
     BakeOutcome outcome;
     outcome.unchanged = true;
-    put(target, swatch.name + ".png", swatch_bytes(swatch, *task.scene, transform, target.font), outcome.unchanged);
+    put(target, swatch.name + ".png", swatch_bytes(swatch, task.scene->transform, transform, target.font), outcome.unchanged);
     outcome.line = swatch.name + ".png  " + std::string(name_of(swatch_words, swatch.kind)) + "  " +
                    transform.target() + (outcome.unchanged ? "  (unchanged)" : "");
     outcome.json = {{"file", swatch.name + ".png"},

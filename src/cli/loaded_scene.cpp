@@ -12,19 +12,6 @@
 namespace nacre {
 namespace {
 
-// Linear Rec.709 is the default, and every config calls it something else.
-ColourTransform target_transform(const ColourConfig& config, const ColourSettings& colour, const std::string& where) {
-    if (!colour.is_space_given) {
-        const std::vector<std::string> known = config.colour_spaces();
-        for (const char* name : {"lin_rec709_scene", "Linear Rec.709 (sRGB)", "lin_srgb", "Utility - Linear - sRGB"}) {
-            if (std::find(known.begin(), known.end(), name) == known.end()) continue;
-            if (std::find(known.begin(), known.end(), colour.space) == known.end())
-                return config.to_colour_space(name, where);
-        }
-    }
-    return config.to_colour_space(colour.space, where);
-}
-
 void check_names(const std::vector<std::string>& only, const std::vector<LoadedScene>& scenes) {
     std::vector<std::string> known;
     for (const LoadedScene& scene : scenes) known.insert(known.end(), scene.plan.names.begin(), scene.plan.names.end());
@@ -40,6 +27,18 @@ void check_names(const std::vector<std::string>& only, const std::vector<LoadedS
 }
 
 }  // namespace
+
+ColourTransform target_transform(const ColourConfig& config, const ColourSettings& colour, const std::string& where) {
+    if (!colour.is_space_given) {
+        const std::vector<std::string> known = config.colour_spaces();
+        for (const char* name : {"lin_rec709_scene", "Linear Rec.709 (sRGB)", "lin_srgb", "Utility - Linear - sRGB"}) {
+            if (std::find(known.begin(), known.end(), name) == known.end()) continue;
+            if (std::find(known.begin(), known.end(), colour.space) == known.end())
+                return config.to_colour_space(name, where);
+        }
+    }
+    return config.to_colour_space(colour.space, where);
+}
 
 LoadedScene load_scene(const std::string& path, const std::string& ocio, bool want_swatches,
                        const std::vector<std::string>& only, bool strict, Console& console) {

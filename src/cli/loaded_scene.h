@@ -33,4 +33,8 @@ LoadedScene load_scene(const std::string& path, const std::string& ocio, bool wa
 std::vector<LoadedScene> load_scenes(const std::vector<std::string>& paths, const std::string& ocio, bool want_swatches,
                                      const std::vector<std::string>& only, bool strict, Console& console);
 
+/// The space that a scene's LUTs are in. Linear Rec.709 is the default, and every config calls it something else.
+/// @param where  for messages
+ColourTransform target_transform(const ColourConfig& config, const ColourSettings& colour, const std::string& where);
+
 }  // namespace nacre

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "io/colour_transform.h"
+#include "nacre/bake/plan.h"
+
+namespace nacre {
+
+/// A swatch as the bytes of a PNG.
+/// @param space    of the scene's LUTs
+/// @param display  what the picture is for
+std::string swatch_bytes(const PlannedSwatch& swatch, const ColourTransform& space, const ColourTransform& display,
+                         const std::filesystem::path& font);
+
+}  // namespace nacre

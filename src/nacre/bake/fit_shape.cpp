@@ -185,6 +185,12 @@ double LineFit::fit(double shape) {
     return square;
 }
 
+// More decimals would be those of the search.
+double rounded(double value) {
+    constexpr double decimals = 1e4;
+    return std::round(value * decimals) / decimals;
+}
+
 // The best of a scan, and the golden section about it; nothing, where all are alike.
 std::optional<double> best_shape(LineFit& lines) {
     constexpr std::size_t steps = 20;
@@ -211,8 +217,7 @@ std::optional<double> best_shape(LineFit& lines) {
             at_b = lines.fit(b = low + golden * (high - low));
         }
     }
-    constexpr double decimals = 1e4;
-    return std::round(0.5 * (low + high) * decimals) / decimals;
+    return rounded(0.5 * (low + high));
 }
 
 }  // namespace
@@ -230,7 +235,7 @@ std::optional<ShapeFit> fit_shape(const std::vector<Pick>& picks, const LobeColo
         Lobe lobe = lines.lobe(i);
         lobe.width_nm = std::max(lobe.width_nm, 0.0);
         lobe.height = std::clamp(lobe.height, 0.0, 1.0);
-        fit.de00.push_back(lines.miss(i, lobe));
+        fit.de00.push_back(rounded(lines.miss(i, lobe)));
     }
     return fit;
 }

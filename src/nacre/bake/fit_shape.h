@@ -11,7 +11,7 @@ namespace nacre {
 /// The shape with which the paper's material comes nearest to picks that are more than it can pass through.
 struct ShapeFit {
     double shape = Palette::default_shape;  ///< p of (3.2.5), in [0, 1], four decimals
-    std::vector<double> de00;               ///< by which the straight lines miss each pick
+    std::vector<double> de00;               ///< by which the straight lines miss each pick, four decimals
 };
 
 /// Fits p of Y(theta) = p cos^2 + (1 - p) cos so that straight lines in Y (the paper's own model: one for the peak, the

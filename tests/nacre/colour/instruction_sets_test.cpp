@@ -1,11 +1,13 @@
-// The SIMD sum on every instruction set that this machine has, down to the plainest.
+// The SIMD sum, and CIEDE2000 side by side, on every instruction set that this machine has, down to the plainest.
 #include <gtest/gtest.h>
 #include <hwy/targets.h>
 
 #include <cmath>
 #include <random>
+#include <vector>
 
 #include "nacre/colour/illuminant.h"
+#include "nacre/colour/many_differences.h"
 #include "nacre/colour/tristimulus.h"
 
 namespace nacre {
@@ -36,6 +38,33 @@ TEST(InstructionSets, EveryOneOfThemGivesTheExactIntegral) {
             ASSERT_NEAR(fast.x, twin.x, 1e-13) << hwy::TargetName(target) << " " << peak_nm << " " << width_nm;
             ASSERT_NEAR(fast.y, twin.y, 1e-13) << hwy::TargetName(target) << " " << peak_nm << " " << width_nm;
             ASSERT_NEAR(fast.z, twin.z, 1e-13) << hwy::TargetName(target) << " " << peak_nm << " " << width_nm;
+        }
+    }
+    allow_instruction_sets(0);
+}
+
+// 33 colours: no whole number of registers on any set.
+TEST(InstructionSets, EveryOneOfThemGivesCiede2000) {
+    constexpr std::size_t count = 33;
+    const Xyz white = xyz_from_chromaticity(d65_chromaticity);
+    const Lab target = to_lab({0.2, 0.25, 0.6}, white);
+    for (const std::int64_t instruction_set : hwy::SupportedAndGeneratedTargets()) {
+        allow_instruction_sets(instruction_set);
+        std::vector<float> x(count + RootColours::padding, 1.0F), y(x), z(x), factor(x), squares(x);
+        std::vector<Xyz> colours;
+        for (std::size_t i = 0; i < count; ++i) {
+            const double t = static_cast<double>(i) / count;
+            colours.push_back({0.1 + 0.3 * t, 0.2 + 0.2 * t * t, 0.7 - 0.3 * t});
+            x[i] = static_cast<float>(colours[i].x / white.x);
+            y[i] = static_cast<float>(colours[i].y);
+            z[i] = static_cast<float>(colours[i].z / white.z);
+        }
+        for (std::vector<float>* row : {&x, &y, &z}) cube_roots(row->data(), count);
+        many_differences(target, {x.data(), y.data(), z.data(), factor.data(), count}, squares.data());
+        for (std::size_t i = 0; i < count; ++i) {
+            const double expected = ciede2000(target, to_lab(colours[i], white));
+            EXPECT_NEAR(std::sqrt(squares[i]), expected, 1e-3 * expected)
+                << hwy::TargetName(instruction_set) << " " << i;
         }
     }
     allow_instruction_sets(0);

@@ -25,11 +25,13 @@ void put(const BakeTarget& target, const std::string& name, std::string_view byt
     target.folder.write(name, bytes);
 }
 
-std::string swatch_bytes(const PlannedSwatch& swatch, const ColourTransform& transform,
+std::string swatch_bytes(const PlannedSwatch& swatch, const LoadedScene& scene, const ColourTransform& transform,
                          const std::filesystem::path& font) {
+    const LutSpace space{scene.transform.target(),
+                         [&](const Image<Xyz>& image) { return scene.transform.apply(image); }};
     const PngSettings settings{font, transform.interop_id() == srgb_display_id, swatch.gamut == Gamut::compress};
     const auto bytes = encode_swatch_png(
-        draw_swatch(swatch), [&](const Image<Xyz>& image) { return transform.apply(image); }, settings);
+        draw_swatch(swatch, space), [&](const Image<Xyz>& image) { return transform.apply(image); }, settings);
     return {bytes.begin(), bytes.end()};
 }
 
@@ -84,7 +86,8 @@ void put_files(const BakeTask& task, const std::string& exr, const std::string& 
                 PlannedSwatch strip;
                 strip.title = lut.name;
                 strip.jobs = {lut.job};
-                put(target, file, swatch_bytes(strip, *task.scene->strip_transform, target.font), unchanged);
+                put(target, file, swatch_bytes(strip, *task.scene, *task.scene->strip_transform, target.font),
+                    unchanged);
                 break;
             }
         }
@@ -135,7 +138,7 @@ BakeOutcome bake_one_swatch(const BakeTask& task, const BakeTarget& target) {
     const ColourTransform& transform = task.scene->swatch_transforms[task.swatch_index];
     BakeOutcome outcome;
     outcome.unchanged = true;
-    put(target, swatch.name + ".png", swatch_bytes(swatch, transform, target.font), outcome.unchanged);
+    put(target, swatch.name + ".png", swatch_bytes(swatch, *task.scene, transform, target.font), outcome.unchanged);
     outcome.line = swatch.name + ".png  " + std::string(name_of(swatch_words, swatch.kind)) + "  " +
                    transform.target() + (outcome.unchanged ? "  (unchanged)" : "");
     outcome.json = {{"file", swatch.name + ".png"},

@@ -257,6 +257,25 @@ TEST(Bake, VerifyRefusesAForgedHeaderThatCompressesIntoACurve) {
         << result.out;
 }
 
+// The line of text below says so, where there is something to say.
+TEST(Bake, PicturesOfALutShowWhereItLeavesItsSpace) {
+    const TemporaryFolder folder;
+    const auto height = [&](const char* file) {
+        OIIO::ImageBuf picture((folder.path() / "out" / file).string());
+        return picture.read() ? picture.spec().height : 0;
+    };
+    const std::string pictures =
+        "[lut.morpho]\nsize = 64\noutputs = [\"png\"]\n[swatch.strip]\ndraw = \"strip\"\n[swatch.ball]\ndraw = "
+        "\"sphere\"\n";
+    for (const auto& [space, expected] : {std::pair{"lin_rec709", 452}, {"lin_ciexyzd65_display", 422}}) {
+        folder.file("s.toml", std::string("[colour]\nspace = \"") + space + "\"\n" + two_picks + pictures);
+        ASSERT_EQ(bake(folder, {}).exit_code, 0) << space;
+        EXPECT_EQ(height("morpho.png"), expected) << space;
+        EXPECT_EQ(height("strip.png"), expected) << space;
+        EXPECT_EQ(height("ball.png"), 900) << space;
+    }
+}
+
 TEST(Bake, LutThatItsFormatCannotHoldFailsAloneAndTheOthersAreWritten) {
     const TemporaryFolder folder;
     // A space a million times as bright as ACES2065-1: beyond what half holds.

@@ -233,11 +233,12 @@ void expose(Swatch& swatch, const PlotArea& area) {
                                    dim_grey});
 }
 
-Swatch draw_strip(const PlannedSwatch& planned) {
+Swatch draw_strip(const PlannedSwatch& planned, const LutSpace& space) {
     const Job& job = planned.jobs.front();
     const PlotArea area = job.y ? lut_area : strip_area;
     Swatch swatch = blank(picture_width, area.top + area.height + below_plot);
     swatch.panels.push_back(bake_panel(job, area));
+    draw_outside(swatch, area, swatch.panels.back().image, !job.y, space);
     if (quantity_of(job.material.mechanism) != Quantity::incidence) expose(swatch, area);
     draw_title(swatch, planned.title, job, job.y ? area.left - 10 : area.left, area.left + area.width);
     draw_frame(swatch, area);
@@ -314,14 +315,14 @@ std::vector<Job> swatch_jobs(SwatchKind kind, const Material& material, const st
     return {};
 }
 
-Swatch draw_swatch(const PlannedSwatch& swatch) {
+Swatch draw_swatch(const PlannedSwatch& swatch, const LutSpace& space) {
     switch (swatch.kind) {
         case SwatchKind::plane:
             return draw_plane(swatch);
         case SwatchKind::palette:
             return draw_palette(swatch);
         case SwatchKind::strip:
-            return draw_strip(swatch);
+            return draw_strip(swatch, space);
         case SwatchKind::sphere:
             return draw_sphere(swatch);
     }

@@ -5,6 +5,7 @@
 
 #include "nacre/bake/catalogue.h"
 #include "nacre/bake/plan.h"
+#include "nacre/bake/swatch_outside.h"
 #include "nacre/bake/swatch_picture.h"
 
 namespace nacre {
@@ -19,8 +20,9 @@ std::vector<Job> swatch_jobs(SwatchKind kind, const Material& material, const st
 ///
 /// Angles, widths and heights grow upwards and to the right, but a LUT's angle runs as its axis does. A palette of more
 /// than `most_palette_panels` picks shows the first of them, and says so.
+/// @param space  of the scene's LUTs: a strip, and a LUT with two axes, shows where it leaves that
 /// @pre swatch.jobs is not empty, and for plane and palette they are those of swatch_jobs()
-Swatch draw_swatch(const PlannedSwatch& swatch);
+Swatch draw_swatch(const PlannedSwatch& swatch, const LutSpace& space = {});
 
 inline constexpr std::size_t most_palette_panels = 12;
 

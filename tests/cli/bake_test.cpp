@@ -267,7 +267,7 @@ TEST(Bake, PicturesOfALutShowWhereItLeavesItsSpace) {
     const std::string pictures =
         "[lut.morpho]\nsize = 64\noutputs = [\"png\"]\n[swatch.strip]\ndraw = \"strip\"\n[swatch.ball]\ndraw = "
         "\"sphere\"\n";
-    for (const auto& [space, expected] : {std::pair{"lin_rec709", 452}, {"lin_ap0", 422}}) {
+    for (const auto& [space, expected] : {std::pair{"lin_rec709", 452}, {"lin_ciexyzd65_display", 422}}) {
         folder.file("s.toml", std::string("[colour]\nspace = \"") + space + "\"\n" + two_picks + pictures);
         ASSERT_EQ(bake(folder, {}).exit_code, 0) << space;
         EXPECT_EQ(height("morpho.png"), expected) << space;

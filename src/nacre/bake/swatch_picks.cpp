@@ -19,7 +19,7 @@ constexpr int pair_height = 150;
 constexpr int row_height = pair_height + 112;
 constexpr int strip_height = 110;
 constexpr int below_strip = 104;  // ticks, labels, title of the axis, margin
-constexpr int widest_pair = 340;
+constexpr int widest_pair = 536;
 constexpr std::size_t most_columns = 6;
 
 void brighten_to(const Xyz& colour, double& brightest) {
@@ -40,7 +40,7 @@ double place_of(const Axis& axis, const PickedColour& picked) {
 }
 
 std::string reached_text(const PickedColour& picked) {
-    return picked.lobe && picked.is_met() ? "exact" : "ΔE00 " + significant_text(picked.de00, 2);
+    return picked.lobe && picked.is_met() ? "exact" : "dE00 " + significant_text(picked.de00, 2);
 }
 
 void draw_pair(Swatch& swatch, const PickedColour& picked, int left, int top, int width) {
@@ -91,7 +91,8 @@ Swatch draw_picks(const PlannedSwatch& planned) {
     draw_x_axis(swatch, strip, job.x, axis_title(job.x));
     for (const PickedColour& picked : picks)
         draw_pick(swatch, {strip.at(place_of(job.x, picked), 0.0).x, strip.top - 14.0}, 13.0);
-    if (brightest > 1.0) {
+    constexpr double visible = 1.005;
+    if (brightest > visible) {
         const std::string note = "exposure x " + rounded_text(1.0 / brightest, 2);
         swatch.overlays.push_back(
             Text{note, {strip.box().right, swatch.height - 18.0}, note_px, Align::right, dim_grey});

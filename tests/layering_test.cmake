@@ -1,5 +1,6 @@
 # cmake -DROOT=<repository> -P layering_test.cmake: fails, naming every culprit, when
-#   - a file includes from a layer above its own (cli -> io -> nacre/accuracy -> nacre/bake -> nacre/optics, nacre/colour -> nacre),
+#   - a file includes from a layer above its own (cli -> io -> nacre/accuracy, nacre/fit -> nacre/bake -> nacre/optics,
+#     nacre/colour -> nacre),
 #   - the core includes a third-party header other than GLM's and Highway's, or a standard one that reaches out of the
 #     program (files, streams, threads, clocks, environment, global state),
 #   - a library is used outside the folder that owns it,
@@ -12,13 +13,14 @@ set(root_entries
     build configs luts out run src tests)
 
 # Folder of a file -> folders whose headers it may include. The longest folder that fits a file or a header is its layer.
-set(layers nacre nacre/optics nacre/colour nacre/bake nacre/accuracy io cli)
+set(layers nacre nacre/optics nacre/colour nacre/bake nacre/accuracy nacre/fit io cli)
 set(may_use_nacre nacre)
 set(may_use_nacre/optics ${may_use_nacre} nacre/optics)
 set(may_use_nacre/colour ${may_use_nacre} nacre/colour)
 set(may_use_nacre/bake ${may_use_nacre} nacre/optics nacre/colour nacre/bake)
 set(may_use_nacre/accuracy ${may_use_nacre/bake} nacre/accuracy)
-set(may_use_io ${may_use_nacre/accuracy} io)
+set(may_use_nacre/fit ${may_use_nacre/bake} nacre/fit)
+set(may_use_io ${may_use_nacre/accuracy} nacre/fit io)
 set(may_use_cli ${may_use_io} cli)
 
 # The C and C++ headers that a pure, serial library has no business with. (<cstdlib> is getenv() and exit();
@@ -37,6 +39,8 @@ set(libraries
     "^OpenColorIO/=io"
     "^Imath/=io"
     "^OpenEXR/=io"
+    "^ceres/=io"
+    "^Eigen/=io"
     "^xxhash\\.h=io"
     "^nlohmann/=io,cli"
     "^CLI/=cli"

@@ -124,7 +124,8 @@ BakeOutcome bake_one_swatch(const BakeTask& task, const BakeTarget& target) {
     const ColourTransform& transform = task.scene->swatch_transforms[task.swatch_index];
     BakeOutcome outcome;
     outcome.unchanged = true;
-    put(target, swatch.name + ".png", swatch_bytes(swatch, task.scene->transform, transform, target.font), outcome.unchanged);
+    put(target, swatch.name + ".png", swatch_bytes(swatch, task.scene->transform, transform, target.font),
+        outcome.unchanged);
     outcome.line = swatch.name + ".png  " + std::string(name_of(swatch_words, swatch.kind)) + "  " +
                    transform.target() + (outcome.unchanged ? "  (unchanged)" : "");
     outcome.json = {{"file", swatch.name + ".png"},

@@ -1,5 +1,7 @@
 #include "cli/found_report.h"
 
+#include <algorithm>
+
 #include "nacre/bake/text.h"
 
 namespace nacre {
@@ -7,8 +9,14 @@ namespace nacre {
 std::string answer_text(const MaterialSearch& search, std::size_t answer) {
     const FoundMechanism& found = search.found[answer];
     std::string text = found_text(search.search, found) + " (dE00";
-    for (std::size_t i = 0; i < found.de00.size(); ++i)
-        text += (i > 0 ? ", " : " ") + significant_text(found.de00[i], 2);
+    constexpr std::size_t most_listed = 4;
+    if (found.de00.size() > most_listed) {
+        text += " " + significant_text(found.error, 2) + " all in all, at most " +
+                significant_text(*std::max_element(found.de00.begin(), found.de00.end()), 2);
+    } else {
+        for (std::size_t i = 0; i < found.de00.size(); ++i)
+            text += (i > 0 ? ", " : " ") + significant_text(found.de00[i], 2);
+    }
     if (found.near_error) {
         text += "; of";
         for (std::size_t i = 0; i < found.near.size(); ++i) text += (i > 0 ? ", " : " ") + found.near[i].material;
@@ -21,7 +29,8 @@ nlohmann::ordered_json found_json(const MaterialSearch& search) {
     nlohmann::ordered_json json = nlohmann::ordered_json::array();
     for (const FoundMechanism& found : search.found) {
         nlohmann::ordered_json one;
-        for (std::size_t i = 0; i < found.values.size(); ++i) one["values"][search.search.free[i].name] = found.values[i];
+        for (std::size_t i = 0; i < found.values.size(); ++i)
+            one["values"][search.search.free[i].name] = found.values[i];
         one["de00"] = found.de00;
         one["error"] = found.error;
         for (const NearMaterial& near : found.near)

@@ -42,7 +42,8 @@ ColourTransform target_transform(const ColourConfig& config, const ColourSetting
 
 LoadedScene load_scene(const std::string& path, const std::string& ocio, bool want_swatches,
                        const std::vector<std::string>& only, bool strict, Console& console) {
-    Plan plan = plan_scene(read_scene_file(path), scene_files_with_colours(path, ocio, throw_if_stopped), {only, false, strict});
+    Plan plan = plan_scene(read_scene_file(path), scene_files_with_colours(path, ocio, throw_if_stopped),
+                           {only, false, strict});
     for (const std::string& warning : plan.warnings) console.warning(warning);
     const ColourConfig config = ColourConfig::open(config_choice(plan.colour, path, ocio));
     const std::string where = plan.colour.space_where.line > 0 ? plan.colour.space_where.text() + " [colour]" : path;

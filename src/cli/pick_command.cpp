@@ -1,4 +1,6 @@
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -60,8 +62,7 @@ std::string comment_on(const PickedColour& picked) {
 void judge(const PickOptions& options, const std::vector<PickedColour>& picked, Console& console) {
     for (const PickedColour& one : picked) {
         if (one.is_met()) continue;
-        const std::string message = one.text + " at " + number_text(one.angle_deg) + " deg: the nearest " +
-                                    one.mechanism + " is " + match_text(one);
+        const std::string message = one.text + " at " + number_text(one.angle_deg) + " deg: " + miss_text(one);
         if (options.strict) throw Error(message);
         console.warning(message);
     }
@@ -92,10 +93,10 @@ void pick_palette(const PickOptions& options, Console& console) {
     const Plan plan = plan_of(pick_scene(options, material, picks_toml(lines), "", true), options);
     const std::vector<PickedColour>& picked = plan.materials.front().picked;
     for (const PickedColour& one : picked) lines[one.pick].comment = comment_on(one);
-    for (const std::string& warning : plan.warnings) {
-        // Those of colours are said below, without a line of a scene that nobody has seen.
-        if (warning.find("picks[") == std::string::npos) console.warning(warning);
-    }
+    // Of a scene that nobody has seen, no lines are named.
+    if (lines.size() == 1)
+        console.warning(options.picks.front() +
+                        ": one pick says nothing about other angles: the same colour at all of them");
     judge(options, picked, console);
     print(options, {{"picked", picked_list(picked)}}, pick_scene(options, material, picks_toml(lines), "", true),
           console);
@@ -122,21 +123,50 @@ std::string answers_comment(const MaterialSearch& search, std::size_t chosen) {
 }
 
 // Of spectra that were measured: how the answer compares with them.
-std::string peak_text(const Mechanism& mechanism, double angle_deg, double measured_nm) {
-    const auto band = find_band(mechanism, Incidence::from_degrees(angle_deg), measured_nm);
-    if (!band) return "no peak near " + fixed_text(measured_nm, 1) + " nm";
-    const double error_nm = band->peak_nm - measured_nm;
-    return "peak " + fixed_text(band->peak_nm, 1) + " nm, " + (error_nm >= 0.0 ? "+" : "") + fixed_text(error_nm, 1);
+std::string comparison(const std::string& file, const std::string& what, const std::vector<AngleFit>& angles) {
+    std::vector<std::vector<std::string>> rows{{"angle", "measured peak", "its peak", "error", "dE00"}};
+    for (const AngleFit& angle : angles) {
+        const bool has_peak = std::isfinite(angle.peak_nm);
+        rows.push_back({number_text(angle.angle_deg) + " deg", fixed_text(angle.measured_peak_nm, 1) + " nm",
+                        has_peak ? fixed_text(angle.peak_nm, 1) + " nm" : "none",
+                        has_peak ? fixed_text(angle.peak_nm - angle.measured_peak_nm, 1) + " nm" : "",
+                        significant_text(angle.de00, 3)});
+    }
+    std::string text = "# " + file + ", and this " + what + ":\n";
+    for (const std::string& line : table_lines(rows, {true, true, true, true, true})) text += "#   " + line + "\n";
+    return text;
 }
 
-void report_measured(const MeasuredSpectra& spectra, const Material& material, Console& console) {
-    for (const PickedColour& one : material.picked) {
-        const auto angle = static_cast<std::size_t>(
-            std::find(spectra.angle_deg.begin(), spectra.angle_deg.end(), one.angle_deg) - spectra.angle_deg.begin());
-        console.warning(number_text(one.angle_deg) + " deg: " +
-                        peak_text(material.mechanism, one.angle_deg, measured_peak_nm(spectra, angle)) + "; dE00 " +
-                        significant_text(one.de00, 3));
+nlohmann::ordered_json angles_json(const std::vector<AngleFit>& angles) {
+    nlohmann::ordered_json json = nlohmann::ordered_json::array();
+    for (const AngleFit& angle : angles) {
+        nlohmann::ordered_json one{{"angle_deg", angle.angle_deg}, {"measured_peak_nm", angle.measured_peak_nm}};
+        one["peak_nm"] = nullptr;
+        one["peak_error_nm"] = nullptr;
+        if (std::isfinite(angle.peak_nm)) {
+            one["peak_nm"] = angle.peak_nm;
+            one["peak_error_nm"] = angle.peak_nm - angle.measured_peak_nm;
+        }
+        one["de00"] = angle.de00;
+        json.push_back(std::move(one));
     }
+    return json;
+}
+
+// A band near the measured peak, if the mechanism has one there.
+std::vector<AngleFit> compared(const MeasuredSpectra& spectra, const Material& material) {
+    std::vector<AngleFit> angles;
+    for (const PickedColour& one : material.picked) {
+        const auto found = std::find(spectra.angle_deg.begin(), spectra.angle_deg.end(), one.angle_deg);
+        AngleFit angle;
+        angle.angle_deg = one.angle_deg;
+        angle.measured_peak_nm = measured_peak_nm(spectra, static_cast<std::size_t>(found - spectra.angle_deg.begin()));
+        const auto band = find_band(material.mechanism, Incidence::from_degrees(one.angle_deg), angle.measured_peak_nm);
+        angle.peak_nm = band ? band->peak_nm : std::numeric_limits<double>::quiet_NaN();
+        angle.de00 = one.de00;
+        angles.push_back(angle);
+    }
+    return angles;
 }
 
 void pick_mechanism(const PickOptions& options, Console& console) {
@@ -157,17 +187,21 @@ void pick_mechanism(const PickOptions& options, Console& console) {
     const std::string material = mechanism_toml(rounded(search.search, search.found[chosen]));
     // What is printed is what is judged.
     const Plan answer = plan_of(pick_scene(options, material, picks(), "", true), options);
-    const std::vector<PickedColour>& picked = answer.materials.front().picked;
+    std::vector<PickedColour> picked = answer.materials.front().picked;
+    for (PickedColour& one : picked) one.is_searched = !search.search.free.empty();
     if (!is_measured) {
         for (const PickedColour& one : picked) lines[one.pick].comment = comment_on(one);
     }
+    nlohmann::ordered_json json{{"picked", picked_list(picked)}, {"found", found_json(search)}};
+    std::string comments = answers_comment(search, chosen);
     if (is_measured) {
-        report_measured(read_spectra_csv(options.measured), answer.materials.front(), console);
+        const auto angles = compared(read_spectra_csv(options.measured), answer.materials.front());
+        comments = comparison(options.measured, options.mechanism, angles) + comments;
+        json["angles"] = angles_json(angles);
     } else {
         judge(options, picked, console);
     }
-    print(options, {{"picked", picked_list(picked)}, {"found", found_json(search)}},
-          pick_scene(options, material, picks(), answers_comment(search, chosen), true), console);
+    print(options, std::move(json), pick_scene(options, material, picks(), comments, true), console);
 }
 
 // ---- a palette of measured spectra
@@ -182,34 +216,19 @@ void pick_measured_palette(const PickOptions& options, Console& console) {
     LightSettings settings;
     settings.power = *illuminant_by_name(settings.illuminant);
     const Light light = make_light(settings);
-    const PaletteFit fit =
-        fit_palette(spectra, static_cast<std::size_t>(options.count), light, least_squares_solver());
-    std::vector<std::vector<std::string>> rows{{"angle", "measured peak", "palette's", "error", "dE00"}};
-    nlohmann::ordered_json angles = nlohmann::ordered_json::array();
-    for (const AngleFit& angle : fit.angles) {
-        const double error_nm = angle.peak_nm - angle.measured_peak_nm;
-        rows.push_back({number_text(angle.angle_deg) + " deg", fixed_text(angle.measured_peak_nm, 1) + " nm",
-                        fixed_text(angle.peak_nm, 1) + " nm", fixed_text(error_nm, 1) + " nm",
-                        significant_text(angle.de00, 3)});
-        angles.push_back({{"angle_deg", angle.angle_deg},
-                          {"measured_peak_nm", angle.measured_peak_nm},
-                          {"peak_nm", angle.peak_nm},
-                          {"peak_error_nm", error_nm},
-                          {"de00", angle.de00}});
-    }
-    std::string comments = "# " + options.measured + ", and this palette:\n";
-    for (const std::string& line : table_lines(rows, {true, true, true, true, true})) comments += "#   " + line + "\n";
+    const PaletteFit fit = fit_palette(spectra, static_cast<std::size_t>(options.count), light, least_squares_solver());
     Palette palette = fit.palette;
-    constexpr int digits = 6;
-    const auto round = [](double& value) { value = std::stod(significant_text(value, digits)); };
+    const auto round = [](double& value, int decimals) { value = std::stod(fixed_text(value, decimals)); };
     for (Pick& pick : palette.picks) {
-        round(pick.lobe.peak_nm);
-        round(pick.lobe.width_nm);
-        round(pick.lobe.height);
+        round(pick.lobe.peak_nm, 3);
+        round(pick.lobe.width_nm, 3);
+        round(pick.lobe.height, 6);
     }
-    round(palette.shape);
-    print(options, {{"error", fit.error}, {"angles", angles}},
-          pick_scene(options, mechanism_toml(Mechanism(palette)), "", comments, false), console);
+    round(palette.shape, 6);
+    print(options, {{"error", fit.error}, {"angles", angles_json(fit.angles)}},
+          pick_scene(options, mechanism_toml(Mechanism(palette)), "",
+                     comparison(options.measured, "palette", fit.angles), false),
+          console);
 }
 
 int run_pick(const PickOptions& options, Console& console) {

@@ -8,15 +8,15 @@ namespace nacre {
 /// What `nacre pick` was given.
 struct PickOptions {
     std::vector<std::string> picks;
-    std::string measured;        ///< a CSV of spectra; empty: none
-    int count = 2;               ///< of picks that stand for the spectra
-    std::string mechanism;       ///< empty: palette
+    std::string measured;           ///< a CSV of spectra; empty: none
+    int count = 2;                  ///< of picks that stand for the spectra
+    std::string mechanism;          ///< empty: palette
     std::vector<std::string> with;  ///< lines of the material, "index = 1.33"
-    int choose = 1;              ///< which answer
+    int choose = 1;                 ///< which answer
     std::string space;
     std::string name = "picked";
     std::string ocio;
-    std::string swatch;          ///< a PNG that is to be written; empty: none
+    std::string swatch;  ///< a PNG that is to be written; empty: none
     bool strict = false;
 };
 

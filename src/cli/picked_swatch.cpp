@@ -17,12 +17,11 @@ void write_picked_swatch(const PickOptions& options, const std::string& scene, C
     const std::filesystem::path file(options.swatch);
     if (file.extension() != ".png") throw Error("--swatch " + options.swatch + ": is a PNG; end its name in .png");
     constexpr const char* scene_name = "picks";
-    const Plan plan =
-        plan_scene(parse_scene(scene, scene_name), scene_files_with_colours(scene_name, options.ocio, throw_if_stopped));
+    const Plan plan = plan_scene(parse_scene(scene, scene_name),
+                                 scene_files_with_colours(scene_name, options.ocio, throw_if_stopped));
     const ColourConfig config = ColourConfig::open(config_choice(plan.colour, scene_name, options.ocio));
-    const std::string bytes =
-        swatch_bytes(plan.swatches.front(), target_transform(config, plan.colour, scene_name),
-                     config.to_display("", "", "--swatch"), find_font());
+    const std::string bytes = swatch_bytes(plan.swatches.front(), target_transform(config, plan.colour, scene_name),
+                                           config.to_display("", "", "--swatch"), find_font());
     OutputFolder folder(file.has_parent_path() ? file.parent_path().string() : ".");
     folder.write(file.filename().string(), bytes);
     folder.commit();

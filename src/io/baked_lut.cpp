@@ -180,15 +180,16 @@ BakedLut bake_lut(const SettledLut& settled, const ColourSettings& colour, const
 
 nlohmann::ordered_json picked_json(const PickedColour& picked) {
     static constexpr std::array misses{"exact", "too bright", "too saturated"};
-    nlohmann::ordered_json json{
-        {"pick", picked.pick}, {"angle_deg", picked.angle_deg}, {"colour", picked.text}};
+    nlohmann::ordered_json json{{"pick", picked.pick}, {"angle_deg", picked.angle_deg}, {"colour", picked.text}};
     if (picked.lobe) {
         json["peak_nm"] = picked.lobe->peak_nm;
         json["width_nm"] = picked.lobe->width_nm;
         json["height"] = picked.lobe->height;
     }
     json["de00"] = rounded_up(picked.de00);
-    json["match"] = picked.lobe ? misses[static_cast<std::size_t>(picked.lobe->miss)] : picked.is_met() ? "met" : "missed";
+    json["match"] = picked.lobe       ? misses[static_cast<std::size_t>(picked.lobe->miss)]
+                    : picked.is_met() ? "met"
+                                      : "missed";
     return json;
 }
 

@@ -63,7 +63,8 @@ MechanismSearch crystal_search(const Table& table, const IndexReader& index) {
     if (has_substrate) crystal.substrate = index.read_or(table, "substrate", crystal.medium);
     search.start = crystal;
     FreeReader reader(table, index, search);
-    reader.index("sphere", usual_material, [](Mechanism& m, const Index& value) { std::get<Crystal>(m).sphere = value; });
+    reader.index("sphere", usual_material,
+                 [](Mechanism& m, const Index& value) { std::get<Crystal>(m).sphere = value; });
     reader.index("medium", usual_material, [has_substrate](Mechanism& m, const Index& value) {
         auto& found = std::get<Crystal>(m);
         found.medium = value;

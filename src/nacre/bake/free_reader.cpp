@@ -83,8 +83,7 @@ void read_measured_colours(const Table& table, const SceneContext& context, Mech
 
 }  // namespace
 
-void FreeReader::add(std::string_view key, const FreeRange& range,
-                     const std::function<void(Mechanism&, double)>& set) {
+void FreeReader::add(std::string_view key, const FreeRange& range, const std::function<void(Mechanism&, double)>& set) {
     search_.free.push_back({std::string(key), range.low, range.high, range.scale, set});
     // Until it is found: whatever looks at the mechanism meanwhile sees something allowed.
     set(search_.start, search_.free.back().at(0.5));
@@ -192,6 +191,7 @@ Mechanism find_mechanism(const Table& table, const SceneContext& context, Mechan
     for (PickedColour& one : picked) {
         one.reached = best.reached[one.pick];
         one.de00 = best.de00[one.pick];
+        one.is_searched = !search.free.empty();
         context.note_picked(one);
     }
     context.note_found(search, found);

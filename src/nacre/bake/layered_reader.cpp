@@ -275,8 +275,9 @@ MechanismSearch stack_search(const Table& table, const IndexReader& index) {
         return search;
     }
     if (table.text_or("form", "lamellae") != "lamellae") {
-        table.fail_at("form", "picks lead to lamellae, two materials that take turns; give form = \"lamellae\", or "
-                              "the layers themselves");
+        table.fail_at("form",
+                      "picks lead to lamellae, two materials that take turns; give form = \"lamellae\", or "
+                      "the layers themselves");
     }
     Stack stack;
     stack.incident = read_incident(table, index);
@@ -293,9 +294,8 @@ MechanismSearch stack_search(const Table& table, const IndexReader& index) {
     reader.number("gap_nm", allowed_thickness, usual_lamella,
                   [](Mechanism& m, double value) { lamella(m, 1).thickness_nm = value; });
     const Allowed allowed = stack.thickness_spread_nm > 0.0 ? Allowed{1, most_irregular_layers / 2} : allowed_films;
-    reader.whole_number("films", allowed, usual_films, [](Mechanism& m, int value) {
-        std::get<Stack>(m).layers.front().repeat = value;
-    });
+    reader.whole_number("films", allowed, usual_films,
+                        [](Mechanism& m, int value) { std::get<Stack>(m).layers.front().repeat = value; });
     reader.index("substrate", usual_substrate,
                  [](Mechanism& m, const Index& value) { std::get<Stack>(m).substrate = value; });
     return search;

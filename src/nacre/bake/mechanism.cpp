@@ -29,16 +29,14 @@ constexpr std::array mechanism_rows{
         "stack", Quantity::incidence,
         [](const Table& table, const SceneContext& context) -> Mechanism { return read_stack(table, context.index); },
         stack_search},
-    MechanismRow{"grating", Quantity::grating_u,
-                 [](const Table& table, const SceneContext& context) -> Mechanism {
-                     return read_grating(table, context.index);
-                 },
-                 grating_search},
-    MechanismRow{"crystal", Quantity::incidence,
-                 [](const Table& table, const SceneContext& context) -> Mechanism {
-                     return read_crystal(table, context.index);
-                 },
-                 crystal_search},
+    MechanismRow{
+        "grating", Quantity::grating_u,
+        [](const Table& table, const SceneContext& context) -> Mechanism { return read_grating(table, context.index); },
+        grating_search},
+    MechanismRow{
+        "crystal", Quantity::incidence,
+        [](const Table& table, const SceneContext& context) -> Mechanism { return read_crystal(table, context.index); },
+        crystal_search},
     MechanismRow{"scatter", Quantity::cos_scatter,
                  [](const Table& table, const SceneContext& context) -> Mechanism {
                      return read_scatter(table, context.index);

@@ -51,8 +51,8 @@ struct MechanismSearch {
 
 /// A material that nacre brings along and that is near to a free index.
 struct NearMaterial {
-    std::string key;       ///< of the free number: "index"
-    std::string material;  ///< "water"
+    std::string key;        ///< of the free number: "index"
+    std::string material;   ///< "water"
     double distance = 0.0;  ///< root of the mean square of the difference, over the visible; absorption counts too
 };
 

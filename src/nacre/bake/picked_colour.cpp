@@ -57,20 +57,26 @@ bool PickedColour::is_met() const {
 }
 
 std::string match_text(const PickedColour& picked) {
-    const std::string away = "CIEDE2000 " + significant_text(picked.de00, 3) + " away, because no ";
+    const std::string away = "CIEDE2000 " + significant_text(picked.de00, 3) + " away";
     if (!picked.lobe) {
         if (picked.is_met()) return "met, CIEDE2000 " + significant_text(picked.de00, 2);
-        return away + picked.mechanism + " was found that comes nearer to all picks";
+        if (!picked.is_searched) return away;
+        return away + ", because no " + picked.mechanism + " was found that comes nearer to all picks";
     }
     switch (picked.lobe->miss) {
         case LobeMiss::none:
             return "exact";
         case LobeMiss::bright:
-            return away + "band that reflects so much is so saturated";
+            return away + ", because no band that reflects so much is so saturated";
         case LobeMiss::saturated:
-            return away + "single band has that chromaticity (purples have none, nor has much that is pale)";
+            return away +
+                   ", because no single band has that chromaticity (purples have none, nor has much that is pale)";
     }
     return {};
+}
+
+std::string miss_text(const PickedColour& picked) {
+    return (picked.is_searched ? "the nearest " : "this ") + picked.mechanism + " is " + match_text(picked);
 }
 
 std::string picked_text(const std::vector<PickedColour>& picked) {

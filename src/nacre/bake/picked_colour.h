@@ -25,6 +25,8 @@ struct PickedColour {
     double de00 = 0.0;               ///< between the two, both beside D65 white
     std::optional<LobeMatch> lobe;   ///< of a palette: the band that stands for it
     std::string mechanism = "band";  ///< what was looked for: "band", "film"
+    bool is_searched =
+        true;  ///< whether anything was free: else the scene has all numbers, and picks are compared with
     Where where;
 
     /// Whether it is shown: by a band to `exact_lobe_de00`, by anything else to `met_de00`.
@@ -36,6 +38,9 @@ inline constexpr double met_de00 = 0.5;
 
 /// "exact", "met, CIEDE2000 0.03", or how far away the nearest is and why.
 std::string match_text(const PickedColour& picked);
+
+/// Of one that is not met: "the nearest film is CIEDE2000 4.7 away, because ...".
+std::string miss_text(const PickedColour& picked);
 
 /// The colours of a material as the user wrote them, and what they became: "#3a6fd0 at 0 deg: exact; ...".
 std::string picked_text(const std::vector<PickedColour>& picked);

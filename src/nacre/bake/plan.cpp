@@ -172,22 +172,21 @@ private:
     }
 
     PickReaders pick_readers() {
-        return {[this](const Rgb& colour, const std::string& space, const Where& where) {
-                    if (!files_.read_colour)
-                        throw Error(where.text() + ": a colour needs an OpenColorIO config, and there is none here");
-                    return files_.read_colour(colour, space, where, plan_.colour);
-                },
-                [this](const Xyz& colour) { return lobe_finder().find(colour); },
-                [this](const Lobe& lobe) {
-                    const Light& light = *plan_.light;
-                    return adapt(light.adaptation,
-                                 lobe_to_xyz(light.weights, lobe.peak_nm, lobe.width_nm, lobe.height));
-                },
-                [this](const MeasuredSpectra& spectra, double angle_deg) {
-                    const Light& light = *plan_.light;
-                    return adapt(light.adaptation,
-                                 MeasuredColour(spectra, light).at(Incidence::from_degrees(angle_deg)));
-                }};
+        return {
+            [this](const Rgb& colour, const std::string& space, const Where& where) {
+                if (!files_.read_colour)
+                    throw Error(where.text() + ": a colour needs an OpenColorIO config, and there is none here");
+                return files_.read_colour(colour, space, where, plan_.colour);
+            },
+            [this](const Xyz& colour) { return lobe_finder().find(colour); },
+            [this](const Lobe& lobe) {
+                const Light& light = *plan_.light;
+                return adapt(light.adaptation, lobe_to_xyz(light.weights, lobe.peak_nm, lobe.width_nm, lobe.height));
+            },
+            [this](const MeasuredSpectra& spectra, double angle_deg) {
+                const Light& light = *plan_.light;
+                return adapt(light.adaptation, MeasuredColour(spectra, light).at(Incidence::from_degrees(angle_deg)));
+            }};
     }
 
     // Made when the first colour is picked.
@@ -197,13 +196,14 @@ private:
         return *lobe_finder_;
     }
 
+    // Of a material whose numbers are all given, who bakes it knows what it misses; the plan says it still.
     void judge_picked_colours() {
         for (const Material& material : plan_.materials) {
             for (const PickedColour& picked : material.picked) {
-                if (picked.is_met()) continue;
+                if (picked.is_met() || !(picked.is_searched || request_.strict)) continue;
                 const std::string message = picked.where.text() + " [material." + material.name + "]: picks[" +
-                                            std::to_string(picked.pick) + "], " + picked.text +
-                                            ": the nearest " + picked.mechanism + " is " + match_text(picked);
+                                            std::to_string(picked.pick) + "], " + picked.text + ": " +
+                                            miss_text(picked);
                 if (request_.strict) throw Error(message);
                 plan_.warnings.push_back(message);
             }

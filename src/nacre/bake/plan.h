@@ -94,9 +94,9 @@ struct PlannedSwatch {
 struct Plan {
     std::shared_ptr<const Light> light;
     ColourSettings colour;
-    std::vector<std::string> names;     ///< of all LUTs and swatches that the scene has, asked for or not
-    std::vector<std::string> warnings;  ///< of what is allowed and hardly meant, with file, line and column
-    std::vector<Material> materials;    ///< those that were read
+    std::vector<std::string> names;        ///< of all LUTs and swatches that the scene has, asked for or not
+    std::vector<std::string> warnings;     ///< of what is allowed and hardly meant, with file, line and column
+    std::vector<Material> materials;       ///< those that were read
     std::vector<MaterialSearch> searches;  ///< of these, what picks of films, stacks, gratings and crystals led to
     std::vector<PlannedLut> luts;
     std::vector<PlannedSwatch> swatches;

@@ -33,8 +33,8 @@ void show_material(const Table& table, Materials& materials, const std::shared_p
                                   std::string(mechanism_name(material.mechanism)) + "; draw a strip or a sphere");
     }
     if (swatch.kind == SwatchKind::picks && material.picked.empty()) {
-        table.fail_at("draw", "draw = \"picks\" shows picks that are colours, and material " + in_quotes(material.name) +
-                                  " has none; give them as colour = \"#rrggbb\"");
+        table.fail_at("draw", "draw = \"picks\" shows picks that are colours, and material " +
+                                  in_quotes(material.name) + " has none; give them as colour = \"#rrggbb\"");
     }
     swatch.jobs = swatch_jobs(swatch.kind, material, light);
     if (swatch.kind != SwatchKind::palette) return;

@@ -35,8 +35,7 @@ Panel flat_panel(int left, int top, int width, const Xyz& colour) {
 
 double place_of(const Axis& axis, const PickedColour& picked) {
     const bool is_u = axis.is_angle() && axis.kind->quantity == Quantity::grating_u;
-    return axis_coordinate(axis,
-                           is_u ? std::sin(picked.angle_deg * std::numbers::pi / 180.0) : picked.angle_deg);
+    return axis_coordinate(axis, is_u ? std::sin(picked.angle_deg * std::numbers::pi / 180.0) : picked.angle_deg);
 }
 
 std::string reached_text(const PickedColour& picked) {

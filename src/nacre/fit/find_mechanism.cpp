@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <numeric>
-#include <optional>
+#include <limits>
 
 #include "nacre/colour/difference.h"
+#include "nacre/fit/even_points.h"
 #include "nacre/fit/shown_colours.h"
 #include "nacre/fit/simplicity.h"
 
@@ -14,31 +14,6 @@ namespace nacre {
 namespace {
 
 constexpr Xyz d65 = xyz_from_chromaticity(d65_chromaticity);
-
-// The root of x^(dimensions + 1) = x + 1 above 1: the golden ratio, and what stands for it in more dimensions.
-double generalised_golden_ratio(std::size_t dimensions) {
-    double x = 2.0;
-    for (int step = 0; step < 64; ++step) x = std::pow(1.0 + x, 1.0 / (static_cast<double>(dimensions) + 1.0));
-    return x;
-}
-
-// Points that fill a cube evenly, however many of them are taken.
-// Source: M. Roberts 2018, "The unreasonable effectiveness of quasirandom sequences".
-class EvenPoints {
-public:
-    explicit EvenPoints(std::size_t dimensions) {
-        const double ratio = generalised_golden_ratio(dimensions);
-        for (std::size_t i = 0; i < dimensions; ++i) steps_.push_back(std::pow(1.0 / ratio, static_cast<double>(i + 1)));
-    }
-    std::vector<double> at(int index) const {
-        std::vector<double> point;
-        for (const double step : steps_) point.push_back(std::fmod(0.5 + step * (index + 1), 1.0));
-        return point;
-    }
-
-private:
-    std::vector<double> steps_;
-};
 
 // Free numbers by their places in their ranges, u in [0, 1].
 using Design = std::vector<double>;
@@ -81,6 +56,8 @@ public:
         }
         std::stable_sort(answers.begin(), answers.end(), is_better);
         for (std::size_t i = 0; i < std::min(answers.size(), most_polished); ++i) polish(answers[i]);
+        const auto most_judged = static_cast<std::size_t>(enough_per_answer * effort_.answers);
+        if (answers.size() > most_judged) answers.resize(most_judged);
         std::vector<FoundMechanism> found;
         for (const Rated& answer : answers) found.push_back(judged(answer.design));
         return ranked(std::move(found));
@@ -105,8 +82,7 @@ private:
 
     Mechanism mechanism_of(const Design& design) const {
         Mechanism mechanism = search_.start;
-        for (std::size_t i = 0; i < design.size(); ++i)
-            search_.free[i].set(mechanism, search_.free[i].at(design[i]));
+        for (std::size_t i = 0; i < design.size(); ++i) search_.free[i].set(mechanism, search_.free[i].at(design[i]));
         return mechanism;
     }
 
@@ -116,7 +92,8 @@ private:
             const double de00 = ciede2000(wanted_[i], to_lab(shown[i], d65));
             sum += search_.wanted[i].weight * de00 * de00;
         }
-        return std::sqrt(sum / total_weight_);
+        // What is no number is no answer, and sorts last.
+        return std::isfinite(sum) ? std::sqrt(sum / total_weight_) : std::numeric_limits<double>::infinity();
     }
 
     // The best of the table, no two of them close neighbours.
@@ -154,7 +131,8 @@ private:
             step();
         }
         std::stable_sort(better.begin(), better.end(), is_better);
-        if (better.size() > static_cast<std::size_t>(effort_.starts)) better.resize(static_cast<std::size_t>(effort_.starts));
+        if (better.size() > static_cast<std::size_t>(effort_.starts))
+            better.resize(static_cast<std::size_t>(effort_.starts));
         return better;
     }
 
@@ -191,7 +169,7 @@ private:
             shown_.at(mechanism_of(design), sampling, shown);
             for (std::size_t i = 0; i < shown.size(); ++i) {
                 const Lab lab = to_lab(shown[i], d65);
-const auto parts = ciede2000_parts(wanted_[i], lab);
+                const auto parts = ciede2000_parts(wanted_[i], lab);
                 const double scale = std::sqrt(search_.wanted[i].weight / total_weight_);
                 for (std::size_t part = 0; part < 3; ++part) residuals[3 * i + part] = scale * parts[part];
             }
@@ -229,7 +207,8 @@ const auto parts = ciede2000_parts(wanted_[i], lab);
             if (number.scale != FreeScale::whole) {
                 constexpr double end = 1e-3;
                 constexpr double inside = 0.08;
-                if (std::abs(answer.design[i] - 0.5) > 0.5 - end) look_at(i, answer.design[i] < 0.5 ? inside : 1.0 - inside);
+                if (std::abs(answer.design[i] - 0.5) > 0.5 - end)
+                    look_at(i, answer.design[i] < 0.5 ? inside : 1.0 - inside);
                 continue;
             }
             const double now = number.at(answer.design[i]);
@@ -253,7 +232,7 @@ const auto parts = ciede2000_parts(wanted_[i], lab);
     }
 
     bool are_alike(const FoundMechanism& one, const FoundMechanism& other) const {
-        constexpr double alike = 0.01;  // of the range
+        constexpr double alike = 0.05;  // of the range
         for (std::size_t i = 0; i < one.values.size(); ++i) {
             const FreeNumber& number = search_.free[i];
             if (std::abs(one.values[i] - other.values[i]) > alike * (number.high - number.low)) return false;
@@ -275,7 +254,8 @@ const auto parts = ciede2000_parts(wanted_[i], lab);
             const double error_b = std::max(b.error, as_good_as_met);
             return error_a != error_b ? error_a < error_b : complexity_of(a.mechanism) < complexity_of(b.mechanism);
         });
-        if (kept.size() > static_cast<std::size_t>(effort_.answers)) kept.resize(static_cast<std::size_t>(effort_.answers));
+        if (kept.size() > static_cast<std::size_t>(effort_.answers))
+            kept.resize(static_cast<std::size_t>(effort_.answers));
         return kept;
     }
 
@@ -293,7 +273,7 @@ const auto parts = ciede2000_parts(wanted_[i], lab);
 SearchEffort effort_for(const MechanismSearch& search) {
     struct Visitor {
         SearchEffort operator()(const Film&) const { return {1 << 14, 64, 24}; }
-        SearchEffort operator()(const Stack&) const { return {1 << 15, 192, 32}; }
+        SearchEffort operator()(const Stack&) const { return {1 << 16, 512, 96}; }
         SearchEffort operator()(const Crystal&) const { return {1 << 14, 192, 64}; }
         SearchEffort operator()(const Grating&) const { return {1 << 14, 256, 48}; }
         SearchEffort operator()(const Palette&) const { return {}; }

@@ -41,7 +41,8 @@ std::vector<std::size_t> spread_angles(const std::vector<double>& angles_deg, st
     const double last = y_of(angles_deg.back());
     std::vector<std::size_t> chosen;
     for (std::size_t i = 0; i < count; ++i) {
-        const double wanted = count == 1 ? first : std::lerp(first, last, static_cast<double>(i) / (static_cast<double>(count) - 1.0));
+        const double wanted =
+            count == 1 ? first : std::lerp(first, last, static_cast<double>(i) / (static_cast<double>(count) - 1.0));
         // As many have to be left for those that follow.
         std::size_t best = chosen.empty() ? 0 : chosen.back() + 1;
         for (std::size_t angle = best; angle + (count - i) <= angles_deg.size(); ++angle) {
@@ -114,8 +115,8 @@ private:
     }
 
     Lab shown(const Lobe& lobe) const {
-        return to_lab(
-            adapt(light_.adaptation, lobe_to_xyz(light_.weights, lobe.peak_nm, lobe.width_nm, lobe.height)), d65);
+        return to_lab(adapt(light_.adaptation, lobe_to_xyz(light_.weights, lobe.peak_nm, lobe.width_nm, lobe.height)),
+                      d65);
     }
 
     // Where the spectrum is all but black, its peak is noise.

@@ -22,9 +22,9 @@ constexpr SamplingRule rule_of(SearchDetail detail) {
         case SearchDetail::table:
             return {2.0, 16, 64, 25.0, 8, 4};
         case SearchDetail::refinement:
-            return {3.5, 32, 512, 12.0, 16, 8};
+            return {3.5, 32, 1024, 12.0, 16, 8};
         case SearchDetail::report:
-            return {8.0, 128, 8192, 4.0, 64, 64};
+            return {8.0, 128, 1 << 17, 4.0, 64, 64};
     }
     return {};
 }

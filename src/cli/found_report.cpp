@@ -8,19 +8,18 @@ namespace nacre {
 
 std::string answer_text(const MaterialSearch& search, std::size_t answer) {
     const FoundMechanism& found = search.found[answer];
-    std::string text = found_text(search.search, found) + " (dE00";
     constexpr std::size_t most_listed = 4;
+    std::string text = found_text(search.search, found) + " (dE00 ";
     if (found.de00.size() > most_listed) {
-        text += " " + significant_text(found.error, 2) + " all in all, at most " +
-                significant_text(*std::max_element(found.de00.begin(), found.de00.end()), 2);
-    } else {
-        for (std::size_t i = 0; i < found.de00.size(); ++i)
-            text += (i > 0 ? ", " : " ") + significant_text(found.de00[i], 2);
+        text += "at most " + significant_text(*std::max_element(found.de00.begin(), found.de00.end()), 2) + ", ";
+    } else if (found.de00.size() > 1) {
+        for (const double de00 : found.de00) text += significant_text(de00, 2) + ", ";
     }
+    text += (found.de00.size() > 1 ? "together " : "") + significant_text(found.error, 2);
     if (found.near_error) {
-        text += "; of";
-        for (std::size_t i = 0; i < found.near.size(); ++i) text += (i > 0 ? ", " : " ") + found.near[i].material;
-        text += ", the nearest materials, " + significant_text(*found.near_error, 2);
+        text += "; with the nearest materials, ";
+        for (const NearMaterial& near : found.near) text += near.key + " " + near.material + ", ";
+        text += "together " + significant_text(*found.near_error, 2);
     }
     return text + ")";
 }

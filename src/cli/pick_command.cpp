@@ -35,8 +35,18 @@ constexpr const char* scene_name = "picks";
 Plan plan_of(const std::string& scene, const PickOptions& options) {
     PlanRequest request;
     request.all_materials = true;
-    return plan_scene(parse_scene(scene, scene_name),
-                      scene_files_with_colours(scene_name, options.ocio, throw_if_stopped), request);
+    try {
+        return plan_scene(parse_scene(scene, scene_name),
+                          scene_files_with_colours(scene_name, options.ocio, throw_if_stopped), request);
+    } catch (const IoError&) {
+        throw;
+    } catch (const Error& error) {
+        // Nobody wrote that scene: its lines mean nothing.
+        const std::string message = error.what();
+        const std::size_t end =
+            message.rfind(std::string(scene_name) + ":", 0) == 0 ? message.find(": ") : std::string::npos;
+        throw Error(end == std::string::npos ? message : message.substr(end + 2));
+    }
 }
 
 bool is_palette(const PickOptions& options) {
@@ -60,9 +70,20 @@ std::string comment_on(const PickedColour& picked) {
 }
 
 void judge(const PickOptions& options, const std::vector<PickedColour>& picked, Console& console) {
+    std::vector<const PickedColour*> missed;
     for (const PickedColour& one : picked) {
-        if (one.is_met()) continue;
-        const std::string message = one.text + " at " + number_text(one.angle_deg) + " deg: " + miss_text(one);
+        if (!one.is_met()) missed.push_back(&one);
+    }
+    constexpr std::size_t most_said = 4;
+    if (missed.size() > most_said) {
+        std::stable_sort(missed.begin(), missed.end(),
+                         [](const auto* one, const auto* other) { return one->de00 > other->de00; });
+    }
+    for (std::size_t i = 0; i < missed.size() && (i == 0 || missed.size() <= most_said); ++i) {
+        const PickedColour& one = *missed[i];
+        std::string message = one.text + " at " + number_text(one.angle_deg) + " deg: " + miss_text(one);
+        if (missed.size() > most_said)
+            message += "; " + std::to_string(missed.size() - 1) + " more picks are nearer, and not met";
         if (options.strict) throw Error(message);
         console.warning(message);
     }
@@ -179,11 +200,11 @@ void pick_mechanism(const PickOptions& options, Console& console) {
     if (asked.searches.empty())
         throw Error("--mechanism " + options.mechanism + ": picks lead to a palette, film, stack, grating or crystal");
     const MaterialSearch& search = asked.searches.front();
-    if (static_cast<std::size_t>(options.choose) > search.found.size()) {
+    const auto chosen = static_cast<std::size_t>(std::max(options.choose, 1) - 1);
+    if (chosen >= search.found.size()) {
         throw Error("--choose " + std::to_string(options.choose) + ": there are " +
                     std::to_string(search.found.size()) + " answers");
     }
-    const auto chosen = static_cast<std::size_t>(options.choose - 1);
     const std::string material = mechanism_toml(rounded(search.search, search.found[chosen]));
     // What is printed is what is judged.
     const Plan answer = plan_of(pick_scene(options, material, picks(), "", true), options);
@@ -209,14 +230,16 @@ void pick_mechanism(const PickOptions& options, Console& console) {
 void pick_measured_palette(const PickOptions& options, Console& console) {
     if (!options.with.empty()) throw Error("--with and --measured: the palette is fitted whole; leave --with out");
     const MeasuredSpectra spectra = read_spectra_csv(options.measured);
-    if (static_cast<std::size_t>(options.count) > spectra.angle_deg.size()) {
-        throw Error("--picks " + std::to_string(options.count) + ": " + options.measured + " has " +
+    const std::size_t count = options.count > 0 ? static_cast<std::size_t>(options.count)
+                                                : std::min<std::size_t>(2, spectra.angle_deg.size());
+    if (count > spectra.angle_deg.size()) {
+        throw Error("--picks " + std::to_string(count) + ": " + options.measured + " has " +
                     std::to_string(spectra.angle_deg.size()) + " angles");
     }
     LightSettings settings;
     settings.power = *illuminant_by_name(settings.illuminant);
     const Light light = make_light(settings);
-    const PaletteFit fit = fit_palette(spectra, static_cast<std::size_t>(options.count), light, least_squares_solver());
+    const PaletteFit fit = fit_palette(spectra, count, light, least_squares_solver());
     Palette palette = fit.palette;
     const auto round = [](double& value, int decimals) { value = std::stod(fixed_text(value, decimals)); };
     for (Pick& pick : palette.picks) {
@@ -235,6 +258,12 @@ int run_pick(const PickOptions& options, Console& console) {
     const bool is_measured = !options.measured.empty();
     if (is_measured == !options.picks.empty())
         throw Error("nacre pick takes colours, COLOUR@ANGLE, or --measured FILE; give one of the two");
+    check_with(options.with);
+    if (options.count > 0 && !(is_measured && is_palette(options)))
+        throw Error(
+            "--picks: is how many bands of a palette stand for measured spectra; give it with --measured alone");
+    if (options.choose > 0 && is_palette(options))
+        throw Error("--choose: a palette is the one answer to its picks; give --mechanism, or leave it out");
     if (!is_palette(options)) {
         pick_mechanism(options, console);
     } else if (is_measured) {
@@ -255,10 +284,9 @@ Command add_pick_command(CLI::App& app) {
     app.add_option("--measured", options->measured,
                    "a CSV of spectra at several angles (wavelength_nm, then a column per angle) instead of colours")
         ->type_name("FILE");
-    app.add_option("--picks", options->count, "so many picks stand for measured spectra")
+    app.add_option("--picks", options->count, "so many picks of a palette stand for measured spectra; default: 2")
         ->type_name("N")
-        ->check(CLI::Range(1, 100))
-        ->capture_default_str();
+        ->check(CLI::Range(1, 100));
     app.add_option("--mechanism", options->mechanism, "palette (default), film, stack, grating or crystal")
         ->type_name("NAME");
     app.add_option("--with", options->with,
@@ -266,10 +294,9 @@ Command add_pick_command(CLI::App& app) {
                    "may be repeated")
         ->type_name("KEY=VALUE")
         ->allow_extra_args(false);
-    app.add_option("--choose", options->choose, "which of the answers, best first")
+    app.add_option("--choose", options->choose, "which of the answers, best first; default: 1")
         ->type_name("N")
-        ->check(CLI::Range(1, 100))
-        ->capture_default_str();
+        ->check(CLI::Range(1, 100));
     app.add_option("--space", options->space,
                    "colour space of the OpenColorIO config that the colours are in; default: its role color_picking")
         ->type_name("NAME");
@@ -279,9 +306,17 @@ Command add_pick_command(CLI::App& app) {
     app.add_option("--ocio", options->ocio, "OpenColorIO config; wins over $OCIO")->type_name("FILE");
     add_strict_option(app, options->strict);
     app.footer(
-        "\nPrints a scene: what was picked, and what shows it. A palette has a band of reflectance per pick. A film, "
-        "stack,\ngrating or crystal is looked for among all that there are within usual ranges; the best answer is "
-        "printed, others\nstand in its comments. What cannot be had is warned of, with its distance in CIEDE2000.\n\n"
+        "\nPrints a scene: what was picked, and what shows it. A palette has a band of reflectance per pick. Of any "
+        "other\n"
+        "mechanism, what --with does not fix is looked for:\n"
+        "  film     index 1.2-2.6, thickness_nm 0-1500, substrate 1-4\n"
+        "  stack    two layers in turn: film 1.2-2.6, film_nm 20-400, gap 1-2.6, gap_nm 20-400, films 1-40, substrate "
+        "1-4\n"
+        "  grating  period_nm 400-5000, grooves 1-200, depth_nm 10-400, land 0.05-0.5; light along the normal\n"
+        "  crystal  sphere 1-2.6, medium 1-2.6, diameter_nm 120-600, planes 1-100\n"
+        "The best answer is printed, up to four others stand in its comments. What cannot be had is warned of, with "
+        "its\n"
+        "distance in CIEDE2000.\n\n"
         "Examples:\n"
         "  nacre pick \"#22cc66@0\" \"#1fb5c9@50\" > mine.toml && nacre bake mine.toml -o out\n"
         "  nacre pick \"#3a6fd0@0\" \"#7030b0@40\" --mechanism film --with 'substrate = \"si\"'\n"

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cctype>
 
+#include "io/scene_file.h"
 #include "nacre/bake/hex_colour.h"
 #include "nacre/bake/names.h"
 #include "nacre/bake/text.h"
@@ -57,6 +58,26 @@ std::vector<PickLine> pick_lines(const PickOptions& options) {
         lines.push_back({toml + " }", {}});
     }
     return lines;
+}
+
+void check_with(const std::vector<std::string>& with) {
+    std::vector<std::string> keys;
+    for (const std::string& line : with) {
+        const std::string wanted =
+            "; give KEY=VALUE as in a scene: index = 1.33, index = \"water\", index = { from = 1.3, to = 1.5 }";
+        const std::size_t equals = line.find('=');
+        if (equals == std::string::npos || line.find('\n') != std::string::npos)
+            throw Error("--with " + in_quotes(line) + ": is no key and value" + wanted);
+        std::string key = line.substr(0, equals);
+        std::erase_if(key, [](unsigned char character) { return std::isspace(character) != 0; });
+        try {
+            parse_scene(line, "--with");
+        } catch (const Error&) {
+            throw Error("--with " + in_quotes(line) + ": is not TOML; text stands in quotes" + wanted);
+        }
+        if (std::find(keys.begin(), keys.end(), key) != keys.end()) throw Error("--with " + key + ": is given twice");
+        keys.push_back(std::move(key));
+    }
 }
 
 std::string picks_toml(const std::vector<PickLine>& picks) {

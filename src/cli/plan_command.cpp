@@ -119,7 +119,7 @@ nlohmann::ordered_json task_json(const SettledTask& task, double seconds) {
     if (job.sampling.sizes > 1) json["radii"] = job.sampling.sizes;
     for (const PickedColour& picked : job.material.picked) json["picked"].push_back(picked_json(picked));
     for (const MaterialSearch& search : task.scene->plan.searches) {
-        if (search.material == job.material.name) json["found"] = found_json(search);
+        if (search.material == job.material.name && !search.search.free.empty()) json["found"] = found_json(search);
     }
     if (job.material.shape_fit) json["shape_fit"] = shape_json(job.material);
     json["max_de00"] = nullptr;
@@ -154,6 +154,7 @@ void note_picked(const LoadedScene& scene, Console& console) {
         }
     }
     for (const MaterialSearch& search : scene.plan.searches) {
+        if (search.search.free.empty()) continue;
         for (std::size_t i = 0; i < search.found.size(); ++i)
             console.summary(search.material + ": " + (i == 0 ? "found " : "or    ") + answer_text(search, i));
     }

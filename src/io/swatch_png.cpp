@@ -48,8 +48,8 @@ std::vector<std::uint8_t> encode_swatch_png(const Swatch& swatch, const DisplayT
                                             const PngSettings& settings) {
     Canvas canvas(swatch.width, swatch.height, swatch.background, settings.font.string());
     for (const Panel& panel : swatch.panels) {
-        const Image<Rgb> shown =
-            to_display(settings.is_srgb && settings.compress ? fit_to_srgb(panel.image) : panel.image);
+        const bool is_bent = settings.is_srgb && settings.compress && !panel.is_exact;
+        const Image<Rgb> shown = to_display(is_bent ? fit_to_srgb(panel.image) : panel.image);
         assert(shown.width() == panel.image.width() && shown.height() == panel.image.height());
         canvas.paste(panel.left, panel.top, shown);
     }

@@ -6,7 +6,7 @@ namespace nacre {
 namespace {
 
 // Thicker films look white.
-constexpr FreeRange usual_thickness{50.0, 1500.0};
+constexpr FreeRange usual_thickness{0.0, 1500.0};
 
 }  // namespace
 

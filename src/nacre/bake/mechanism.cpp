@@ -94,6 +94,9 @@ Mechanism read_mechanism(const Table& table, const SceneContext& context) {
             search.start.effects = read_effects(table, search.start, context);
             return find_mechanism(table, context, std::move(search));
         }
+        if (row.search == nullptr && name != mechanism_rows.front().name && table.find("picks") != nullptr)
+            table.fail_at("picks",
+                          "picks mean nothing for " + name + "; known for palette, film, stack, grating, crystal");
         Mechanism mechanism = row.read(table, context);
         mechanism.effects = read_effects(table, mechanism, context);
         return mechanism;

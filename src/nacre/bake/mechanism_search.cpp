@@ -35,11 +35,16 @@ double FreeNumber::place_of(double value) const {
 }
 
 std::string found_text(const MechanismSearch& search, const FoundMechanism& found) {
+    constexpr double end = 1e-6;  // of the range
     std::string text;
     for (std::size_t i = 0; i < found.values.size(); ++i) {
-        text += (text.empty() ? "" : ", ") + search.free[i].name + " = " + significant_text(found.values[i], 5);
+        const FreeNumber& number = search.free[i];
+        const double value = found.values[i];
+        text += (text.empty() ? "" : ", ") + number.name + " = " + significant_text(value, 5);
+        const bool is_at_end = std::min(value - number.low, number.high - value) <= end * (number.high - number.low);
+        if (is_at_end && number.scale != FreeScale::whole) text += " (end of its range)";
     }
-    return text.empty() ? "nothing was free" : text;
+    return text;
 }
 
 }  // namespace nacre

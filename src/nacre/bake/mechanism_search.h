@@ -75,7 +75,7 @@ struct MaterialSearch {
     std::vector<FoundMechanism> found;
 };
 
-/// "index = 1.33, thickness_nm = 402.1"
+/// "index = 1.33, thickness_nm = 402.1, substrate = 4 (end of its range)"
 std::string found_text(const MechanismSearch& search, const FoundMechanism& found);
 
 }  // namespace nacre

@@ -56,12 +56,31 @@ bool PickedColour::is_met() const {
     return lobe ? lobe->miss == LobeMiss::none : de00 <= met_de00;
 }
 
+namespace {
+
+// Why no structure shows a colour, where physics says so at once.
+std::string reason(const PickedColour& picked) {
+    constexpr double grazing_deg = 89.99;
+    constexpr double all_light = 1.0001;
+    if (picked.mechanism == "grating") {
+        if (picked.angle_deg == 0.0)
+            return "nothing but the mirror's order 0 comes straight back, and that does not count";
+    } else if (picked.angle_deg >= grazing_deg) {
+        return "at 90 degrees every face reflects all light: it is white";
+    } else if (picked.colour.y > all_light) {
+        return "nothing reflects more than all light";
+    }
+    return "no " + picked.mechanism + " was found that comes nearer, all picks together";
+}
+
+}  // namespace
+
 std::string match_text(const PickedColour& picked) {
     const std::string away = "CIEDE2000 " + significant_text(picked.de00, 3) + " away";
     if (!picked.lobe) {
         if (picked.is_met()) return "met, CIEDE2000 " + significant_text(picked.de00, 2);
         if (!picked.is_searched) return away;
-        return away + ", because no " + picked.mechanism + " was found that comes nearer to all picks";
+        return away + ", because " + reason(picked);
     }
     switch (picked.lobe->miss) {
         case LobeMiss::none:

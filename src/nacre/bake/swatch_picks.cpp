@@ -28,7 +28,7 @@ void brighten_to(const Xyz& colour, double& brightest) {
 }
 
 Panel flat_panel(int left, int top, int width, const Xyz& colour) {
-    Panel panel{left, top, Image<Xyz>(width, pair_height)};
+    Panel panel{left, top, Image<Xyz>(width, pair_height), true};
     std::fill(panel.image.begin(), panel.image.end(), colour);
     return panel;
 }
@@ -78,13 +78,10 @@ Swatch draw_picks(const PlannedSwatch& planned) {
         draw_pair(swatch, picks[i], margin + column * (width + gap), pairs_top + row * row_height, width);
     }
     swatch.panels.push_back(bake_panel(job, strip));
+    Image<Xyz>& colours = swatch.panels.back().image;
     double brightest = 1.0;
-    for (const Panel& panel : swatch.panels) {
-        for (const Xyz& colour : panel.image) brighten_to(colour, brightest);
-    }
-    for (Panel& panel : swatch.panels) {
-        for (Xyz& colour : panel.image) colour = {colour.x / brightest, colour.y / brightest, colour.z / brightest};
-    }
+    for (const Xyz& colour : colours) brighten_to(colour, brightest);
+    for (Xyz& colour : colours) colour = {colour.x / brightest, colour.y / brightest, colour.z / brightest};
     draw_title(swatch, planned.title, job, margin, margin + room);
     draw_frame(swatch, strip);
     draw_x_axis(swatch, strip, job.x, axis_title(job.x));
@@ -92,7 +89,7 @@ Swatch draw_picks(const PlannedSwatch& planned) {
         draw_pick(swatch, {strip.at(place_of(job.x, picked), 0.0).x, strip.top - 14.0}, 13.0);
     constexpr double visible = 1.005;
     if (brightest > visible) {
-        const std::string note = "exposure x " + rounded_text(1.0 / brightest, 2);
+        const std::string note = "strip: exposure x " + rounded_text(1.0 / brightest, 2);
         swatch.overlays.push_back(
             Text{note, {strip.box().right, swatch.height - 18.0}, note_px, Align::right, dim_grey});
     }

@@ -66,6 +66,7 @@ struct Panel {
     int left = 0;
     int top = 0;
     Image<Xyz> image;
+    bool is_exact = false;  ///< shown as it is, clipped where the display ends: never bent into its gamut
 };
 
 /// A picture that knows nothing of displays, fonts and files: what is where, in pixels.

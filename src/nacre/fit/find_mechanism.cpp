@@ -3,35 +3,20 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <limits>
+#include <map>
+#include <utility>
 
-#include "nacre/colour/difference.h"
 #include "nacre/fit/even_points.h"
-#include "nacre/fit/shown_colours.h"
+#include "nacre/fit/objective.h"
 #include "nacre/fit/simplicity.h"
 
 namespace nacre {
 namespace {
 
-constexpr Xyz d65 = xyz_from_chromaticity(d65_chromaticity);
-
-// Free numbers by their places in their ranges, u in [0, 1].
-using Design = std::vector<double>;
-
-struct Rated {
-    Design design;
-    double error = 0.0;
-};
-
-bool is_better(const Rated& one, const Rated& other) {
-    return one.error < other.error;
-}
-
-// Of least squares: to see where a valley leads to, and to its bottom.
-constexpr int few_steps = 8;
-constexpr int many_steps = 40;
 // Of answers that meet the colours there are enough to choose the simplest from, at so many times what is asked for.
 constexpr int enough_per_answer = 4;
+// So many choices of whole numbers are looked at again, each by itself.
+constexpr std::size_t most_deepened = 5;
 // Of answers that do not, so many are tried with other whole numbers.
 constexpr std::size_t most_polished = 4;
 
@@ -39,18 +24,13 @@ class Search {
 public:
     Search(const MechanismSearch& search, const Light& light, const LeastSquaresSolver& solve,
            const SearchEffort& effort, const std::function<void()>& after_step)
-        : search_(search), solve_(solve), effort_(effort), after_step_(after_step), shown_(light, places_of(search)) {
-        for (const WantedColour& wanted : search.wanted) {
-            wanted_.push_back(to_lab(wanted.colour, d65));
-            total_weight_ += wanted.weight;
-        }
-    }
+        : search_(search), effort_(effort), after_step_(after_step), objective_(search, light, solve) {}
 
     std::vector<FoundMechanism> answers() {
         std::vector<Rated> answers;
         int met = 0;
-        for (const Rated& start : better_starts()) {
-            answers.push_back(refined(start.design, SearchDetail::refinement));
+        for (const Rated& start : starts()) {
+            answers.push_back(objective_.refined(start.design, SearchDetail::refinement));
             step();
             if (answers.back().error <= as_good_as_met && ++met >= enough_per_answer * effort_.answers) break;
         }
@@ -59,81 +39,112 @@ public:
         const auto most_judged = static_cast<std::size_t>(enough_per_answer * effort_.answers);
         if (answers.size() > most_judged) answers.resize(most_judged);
         std::vector<FoundMechanism> found;
-        for (const Rated& answer : answers) found.push_back(judged(answer.design));
+        for (const Rated& answer : answers) found.push_back(objective_.judged(answer.design));
         return ranked(std::move(found));
     }
 
     FoundMechanism answer_near(const std::vector<double>& values) {
         Design design;
         for (std::size_t i = 0; i < values.size(); ++i) design.push_back(search_.free[i].place_of(values[i]));
-        return judged(refined(design, SearchDetail::refinement).design);
+        return objective_.judged(objective_.refined(design, SearchDetail::refinement).design);
     }
 
 private:
-    static std::vector<Geometry> places_of(const MechanismSearch& search) {
-        std::vector<Geometry> places;
-        for (const WantedColour& wanted : search.wanted) places.push_back(wanted.geometry);
-        return places;
-    }
-
     void step() const {
         if (after_step_) after_step_();
     }
 
-    Mechanism mechanism_of(const Design& design) const {
-        Mechanism mechanism = search_.start;
-        for (std::size_t i = 0; i < design.size(); ++i) search_.free[i].set(mechanism, search_.free[i].at(design[i]));
-        return mechanism;
-    }
-
-    double error_of(std::span<const Xyz> shown) const {
-        double sum = 0.0;
-        for (std::size_t i = 0; i < shown.size(); ++i) {
-            const double de00 = ciede2000(wanted_[i], to_lab(shown[i], d65));
-            sum += search_.wanted[i].weight * de00 * de00;
+    // Designs all over the ranges, the best first. @param fixed  a design whose whole numbers all of them have; null:
+    // none
+    std::vector<Rated> table_of(int count, const Design* fixed) {
+        std::vector<std::size_t> moving;
+        for (std::size_t i = 0; i < search_.free.size(); ++i) {
+            if (fixed == nullptr || search_.free[i].scale != FreeScale::whole) moving.push_back(i);
         }
-        // What is no number is no answer, and sorts last.
-        return std::isfinite(sum) ? std::sqrt(sum / total_weight_) : std::numeric_limits<double>::infinity();
-    }
-
-    // The best of the table, no two of them close neighbours.
-    std::vector<Rated> starts() {
-        const std::size_t dimensions = search_.free.size();
-        if (dimensions == 0) return {Rated{}};
-        const EvenPoints points(dimensions);
         std::vector<Rated> table;
-        std::vector<Xyz> shown(shown_.count());
-        for (int i = 0; i < effort_.table; ++i) {
-            Design design = points.at(i);
-            const Mechanism mechanism = mechanism_of(design);
-            shown_.at(mechanism, shown_.sampling_for(mechanism, SearchDetail::table), shown);
-            table.push_back({std::move(design), error_of(shown)});
+        if (moving.empty()) return table;
+        const EvenPoints points(moving.size());
+        Design design = fixed == nullptr ? Design(search_.free.size()) : *fixed;
+        for (int i = 0; i < count; ++i) {
+            const std::vector<double> point = points.at(i);
+            for (std::size_t j = 0; j < moving.size(); ++j) design[moving[j]] = point[j];
+            table.push_back(objective_.rated(design, SearchDetail::table));
             if (i % 64 == 0) step();
         }
         std::stable_sort(table.begin(), table.end(), is_better);
+        return table;
+    }
+
+    // The best of the table, no two of them close neighbours. Every choice of whole numbers has its share of half of
+    // them: least squares cannot change those, and what looks bad in a table may end well.
+    std::vector<Rated> valleys(const std::vector<Rated>& sorted, std::size_t wanted) const {
+        std::map<std::vector<double>, std::vector<const Design*>> groups;
+        for (const Rated& candidate : sorted) groups[objective_.whole_numbers(candidate.design)];
+        const std::size_t share = std::max<std::size_t>(1, wanted / (2 * groups.size()));
+        std::size_t unshared = 0;
         std::vector<Rated> chosen;
-        for (const Rated& candidate : table) {
-            if (chosen.size() >= static_cast<std::size_t>(effort_.valleys)) break;
-            const bool is_near = std::any_of(chosen.begin(), chosen.end(), [&](const Rated& other) {
-                return are_near(candidate.design, other.design);
-            });
-            if (!is_near) chosen.push_back(candidate);
+        for (const Rated& candidate : sorted) {
+            if (chosen.size() >= wanted) break;
+            std::vector<const Design*>& group = groups[objective_.whole_numbers(candidate.design)];
+            const bool has_share = group.size() < share;
+            if (!has_share && unshared >= wanted / 2) continue;
+            const bool is_near = std::any_of(group.begin(), group.end(),
+                                             [&](const Design* other) { return are_near(candidate.design, *other); });
+            if (is_near) continue;
+            group.push_back(&candidate.design);
+            if (!has_share) ++unshared;
+            chosen.push_back(candidate);
         }
         return chosen;
     }
 
-    // The starts a few steps further down their valleys, and of these the best.
-    std::vector<Rated> better_starts() {
-        std::vector<Rated> better = starts();
-        if (search_.free.empty()) return better;
-        for (Rated& start : better) {
-            start = refined(start.design, SearchDetail::table);
+    // A few steps down.
+    void follow(std::vector<Rated>& valleys) {
+        for (Rated& valley : valleys) {
+            valley = objective_.refined(valley.design, SearchDetail::table);
             step();
         }
-        std::stable_sort(better.begin(), better.end(), is_better);
-        if (better.size() > static_cast<std::size_t>(effort_.starts))
-            better.resize(static_cast<std::size_t>(effort_.starts));
-        return better;
+        std::stable_sort(valleys.begin(), valleys.end(), is_better);
+    }
+
+    // Where to begin in earnest, the best first.
+    std::vector<Rated> starts() {
+        if (search_.free.empty()) return {Rated{}};
+        const auto wanted = static_cast<std::size_t>(effort_.valleys);
+        std::vector<Rated> followed = valleys(table_of(effort_.table, nullptr), wanted);
+        follow(followed);
+        // The most promising whole numbers have a table of their own.
+        std::vector<std::vector<double>> looked_at;
+        std::vector<Rated> more;
+        for (const Rated& valley : followed) {
+            if (looked_at.size() >= most_deepened || valley.error <= as_good_as_met) break;
+            const std::vector<double> numbers = objective_.whole_numbers(valley.design);
+            if (numbers.empty() || std::find(looked_at.begin(), looked_at.end(), numbers) != looked_at.end()) continue;
+            looked_at.push_back(numbers);
+            std::vector<Rated> own = valleys(table_of(effort_.table / 4, &valley.design), wanted / 8);
+            follow(own);
+            more.insert(more.end(), own.begin(), own.end());
+        }
+        followed.insert(followed.end(), more.begin(), more.end());
+        std::stable_sort(followed.begin(), followed.end(), is_better);
+        return best_of(followed, static_cast<std::size_t>(effort_.starts));
+    }
+
+    // Half of them are the best of all; the other half the best of every choice of whole numbers.
+    std::vector<Rated> best_of(const std::vector<Rated>& sorted, std::size_t count) const {
+        if (sorted.size() <= count) return sorted;
+        std::map<std::vector<double>, int> seen;
+        std::vector<std::pair<int, std::size_t>> rest;  // rank among those of the same whole numbers, and place
+        for (std::size_t i = 0; i < sorted.size(); ++i) {
+            const int rank = seen[objective_.whole_numbers(sorted[i].design)]++;
+            if (i >= count / 2) rest.emplace_back(rank, i);
+        }
+        std::sort(rest.begin(), rest.end());
+        rest.resize(count - count / 2);
+        std::vector<Rated> best(sorted.begin(), sorted.begin() + static_cast<std::ptrdiff_t>(count / 2));
+        for (const auto& [rank, place] : rest) best.push_back(sorted[place]);
+        std::stable_sort(best.begin(), best.end(), is_better);
+        return best;
     }
 
     static bool are_near(const Design& one, const Design& other) {
@@ -142,44 +153,6 @@ private:
             if (std::abs(one[i] - other[i]) > near) return false;
         }
         return true;
-    }
-
-    // Whole numbers stay; the others go where the squares are least. The solver knows no bounds: it moves angles whose
-    // sines are the places.
-    Rated refined(const Design& start, SearchDetail detail) {
-        std::vector<std::size_t> moving;
-        for (std::size_t i = 0; i < start.size(); ++i) {
-            if (search_.free[i].scale != FreeScale::whole && search_.free[i].high > search_.free[i].low)
-                moving.push_back(i);
-        }
-        Design design = start;
-        const SearchSampling sampling = shown_.sampling_for(mechanism_of(start), detail);
-        std::vector<Xyz> shown(shown_.count());
-        const auto place = [&](std::span<const double> angles) {
-            for (std::size_t i = 0; i < moving.size(); ++i) {
-                const double sine = std::sin(angles[i]);
-                design[moving[i]] = sine * sine;
-            }
-        };
-        LeastSquares problem;
-        problem.parameters = static_cast<int>(moving.size());
-        problem.residuals = static_cast<int>(3 * shown.size());
-        problem.evaluate = [&](std::span<const double> angles, std::span<double> residuals) {
-            place(angles);
-            shown_.at(mechanism_of(design), sampling, shown);
-            for (std::size_t i = 0; i < shown.size(); ++i) {
-                const Lab lab = to_lab(shown[i], d65);
-                const auto parts = ciede2000_parts(wanted_[i], lab);
-                const double scale = std::sqrt(search_.wanted[i].weight / total_weight_);
-                for (std::size_t part = 0; part < 3; ++part) residuals[3 * i + part] = scale * parts[part];
-            }
-        };
-        std::vector<double> angles;
-        for (const std::size_t i : moving) angles.push_back(std::asin(std::sqrt(start[i])));
-        if (!moving.empty()) solve_(problem, angles, detail == SearchDetail::table ? few_steps : many_steps);
-        place(angles);
-        shown_.at(mechanism_of(design), sampling, shown);
-        return {design, error_of(shown)};
     }
 
     // What least squares do not: whole numbers do not move, and at the end of a range sines stand still. The best
@@ -198,7 +171,7 @@ private:
         const auto look_at = [&](std::size_t i, double place) {
             Design design = answer.design;
             design[i] = place;
-            Rated tried = refined(design, SearchDetail::refinement);
+            Rated tried = objective_.refined(design, SearchDetail::refinement);
             step();
             if (is_better(tried, best)) best = std::move(tried);
         };
@@ -217,18 +190,6 @@ private:
             }
         }
         return best;
-    }
-
-    FoundMechanism judged(const Design& design) {
-        FoundMechanism found;
-        found.mechanism = mechanism_of(design);
-        for (std::size_t i = 0; i < design.size(); ++i) found.values.push_back(search_.free[i].at(design[i]));
-        found.reached.resize(shown_.count());
-        shown_.at(found.mechanism, shown_.sampling_for(found.mechanism, SearchDetail::report), found.reached);
-        for (std::size_t i = 0; i < found.reached.size(); ++i)
-            found.de00.push_back(ciede2000(wanted_[i], to_lab(found.reached[i], d65)));
-        found.error = error_of(found.reached);
-        return found;
     }
 
     bool are_alike(const FoundMechanism& one, const FoundMechanism& other) const {
@@ -260,12 +221,9 @@ private:
     }
 
     const MechanismSearch& search_;
-    const LeastSquaresSolver& solve_;
     const SearchEffort& effort_;
     const std::function<void()>& after_step_;
-    ShownColours shown_;
-    std::vector<Lab> wanted_;
-    double total_weight_ = 0.0;
+    Objective objective_;
 };
 
 }  // namespace
@@ -273,8 +231,8 @@ private:
 SearchEffort effort_for(const MechanismSearch& search) {
     struct Visitor {
         SearchEffort operator()(const Film&) const { return {1 << 14, 64, 24}; }
-        SearchEffort operator()(const Stack&) const { return {1 << 16, 512, 96}; }
-        SearchEffort operator()(const Crystal&) const { return {1 << 14, 192, 64}; }
+        SearchEffort operator()(const Stack&) const { return {1 << 16, 1536, 160}; }
+        SearchEffort operator()(const Crystal&) const { return {1 << 14, 384, 96}; }
         SearchEffort operator()(const Grating&) const { return {1 << 14, 256, 48}; }
         SearchEffort operator()(const Palette&) const { return {}; }
         SearchEffort operator()(const Scatter&) const { return {}; }

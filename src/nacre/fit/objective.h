@@ -1,0 +1,57 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "nacre/bake/light.h"
+#include "nacre/bake/mechanism_search.h"
+#include "nacre/colour/difference.h"
+#include "nacre/fit/least_squares.h"
+#include "nacre/fit/shown_colours.h"
+
+namespace nacre {
+
+/// Values of the free numbers, as places in their ranges, each in [0, 1].
+using Design = std::vector<double>;
+
+/// A design, and how far its colours are from those that are wanted: the root of the weighted mean of CIEDE2000's
+/// squares; infinity if they are no numbers.
+struct Rated {
+    Design design;
+    double error = 0.0;
+};
+
+inline bool is_better(const Rated& one, const Rated& other) {
+    return one.error < other.error;
+}
+
+/// What a search wants to become small: the misses of designs, and how to make them smaller near by.
+class Objective {
+public:
+    /// All have to outlive this.
+    Objective(const MechanismSearch& search, const Light& light, const LeastSquaresSolver& solve);
+
+    Mechanism mechanism_of(const Design& design) const;
+    /// Of a design, what least squares cannot change.
+    std::vector<double> whole_numbers(const Design& design) const;
+
+    Rated rated(const Design& design, SearchDetail detail);
+    /// Down the valley that the design lies in: a few steps for the table's detail, else to the bottom. Whole numbers
+    /// stay.
+    Rated refined(const Design& start, SearchDetail detail);
+    /// All that is told of an answer, in the detail of a report.
+    FoundMechanism judged(const Design& design);
+
+private:
+    double error_of(std::span<const Xyz> shown) const;
+    std::vector<std::size_t> moving_numbers() const;
+    void fill(std::span<const Xyz> shown, std::span<double> residuals) const;
+
+    const MechanismSearch& search_;
+    const LeastSquaresSolver& solve_;
+    ShownColours shown_;
+    std::vector<Lab> wanted_;
+    double total_weight_ = 0.0;
+};
+
+}  // namespace nacre

@@ -14,6 +14,7 @@
 #include <string>
 #include <vector>
 
+#include "io/least_squares.h"
 #include "io/picked_colours.h"
 #include "io/scene_file.h"
 #include "io/shipped_materials.h"
@@ -394,6 +395,26 @@ TEST(HeavierPicks, AreMetBetter) {
         EXPECT_LT(red[0], blue[0]) << mechanism;
         EXPECT_LT(blue[1], red[1]) << mechanism;
     }
+}
+
+TEST(HeavierPicks, AreWeighedToTheBottomOfTheValley) {
+    const Plan plan = plan_of(
+        "mechanism = \"film\"\nindex = 1.5\nsubstrate = 2.5\npicks = [ { angle_deg = 10, colour = \"#806060\", weight "
+        "= "
+        "30 }, { angle_deg = 50, colour = \"#607080\", weight = 1 } ]\n");
+    const MaterialSearch& search = search_of(plan);
+    ASSERT_EQ(names_of(search.search), std::vector<std::string>{"thickness_nm"});
+    // Every thickness there is, one by one.
+    double best = 1e9;
+    for (double nm = 50.0; nm <= 1500.0; nm += 0.5) {
+        MechanismSearch fixed = search.search;
+        fixed.free.clear();
+        std::get<Film>(fixed.start).thickness_nm = nm;
+        best = std::min(best, find_mechanisms(fixed, *plan.light, least_squares_solver(), {}).front().error);
+    }
+    EXPECT_GT(best, 1.0);
+    EXPECT_LT(search.found.front().error, best + 1e-3);
+    EXPECT_GT(search.found.front().error, best - 0.05);
 }
 
 // ---- Materials

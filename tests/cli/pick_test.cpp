@@ -81,15 +81,17 @@ TEST_P(PickedMechanism, IsASceneThatBakesAndKeepsItsWord) {
     folder.file("s.toml", picked.out);
     const ProgramResult plan = run_nacre({"plan", "--json", "s.toml"}, here);
     ASSERT_EQ(plan.exit_code, 0) << plan.err;
-    EXPECT_EQ(lines_with(plan.err, "the nearest "), asked.warnings) << plan.err;
+    // Nothing is looked for in it.
+    EXPECT_EQ(plan.err, "");
     const auto json = parsed(plan);
     ASSERT_FALSE(json.is_discarded()) << plan.out;
-    const auto& found = json.at("luts").at(0).at("found");
-    ASSERT_EQ(found.size(), 1u);
+    EXPECT_FALSE(json.at("luts").at(0).contains("found"));
+    const auto& reached = json.at("luts").at(0).at("picked");
+    ASSERT_EQ(reached.size(), promised.size());
     for (std::size_t i = 0; i < promised.size(); ++i) {
         // Two digits.
-        const double de00 = found[0].at("de00").at(i);
-        EXPECT_NEAR(promised[i], de00, 0.05 * std::max(de00, promised[i]) + 1e-12);
+        const double de00 = reached[i].at("de00");
+        EXPECT_NEAR(promised[i], de00, 0.05 * std::max(de00, promised[i]) + 1e-3);
     }
     const ProgramResult baked = run_nacre({"bake", "s.toml", "-o", "out"}, here);
     EXPECT_EQ(baked.exit_code, 0) << baked.err;
@@ -211,7 +213,8 @@ TEST(PickOptions, MeasuredLeadsToAFilmToo) {
         {"--measured", gold_beetle, "--mechanism", "film", "--with", "index = 1.7", "--with", "substrate = 2"}, here);
     ASSERT_EQ(result.exit_code, 0) << result.err;
     EXPECT_NE(result.out.find("picks = { measured = \"" + gold_beetle + "\" }"), std::string::npos) << result.out;
-    EXPECT_NE(result.err.find("0 deg: "), std::string::npos) << result.err;
+    EXPECT_EQ(result.err, "");
+    EXPECT_NE(result.out.find("#   angle  measured peak"), std::string::npos) << result.out;
     folder.file("s.toml", result.out);
     const ProgramResult baked = run_nacre({"bake", "s.toml", "-o", "out"}, here);
     EXPECT_EQ(baked.exit_code, 0) << baked.err;
@@ -279,30 +282,30 @@ TEST_P(DegeneratePicks, HaveADefinedOutcome) {
 }
 
 constexpr const char* no_band = "no single band has that chromaticity";
-constexpr const char* no_film = "no film was found that comes nearer to all picks";
+constexpr const char* no_film = "no film was found that comes nearer, all picks together";
 constexpr const char* not_finite = "is not a finite number; allowed [-65504, 65504]";
 
 INSTANTIATE_TEST_SUITE_P(
     All, DegeneratePicks,
-    testing::Values(Degenerate{"Black", {"#000@0", "#000@50"}, 0, "", 0, no_film},
-                    Degenerate{"White", {"#fff@0", "#fff@50"}, 0, no_band, 0, no_film},
-                    Degenerate{"Grey", {"#808080@0", "#808080@50"}, 0, no_band, 0, no_film},
-                    Degenerate{"Equal", {"#2c6@0", "#2c6@50"}, 0, "", 0, no_film},
-                    Degenerate{
-                        "TwoAtOneAngle", {"#2c6@10", "#c62@10"}, 2, "different colours at one angle", 0, no_film},
-                    Degenerate{"TheSameTwice", {"#2c6@10", "#2c6@10"}, 0, "", 0, no_film},
-                    Degenerate{"One", {"#38c@0"}, 0, "one pick says nothing about other angles", 0, no_film},
-                    Degenerate{"Grazing", {"#2c6@0", "#b94@90"}, 0, "", 0, "at 90 deg: the nearest film is"},
-                    Degenerate{"NegativeAndBright", {"-0.1,0.5,2@0", "0.2,0.3,0.1@50"}, 0, no_band, 0, no_film},
-                    Degenerate{"AllNegative", {"-1,-1,-1@0", "#222@50"}, 0, no_band, 0, no_film},
-                    Degenerate{"NaN", {"0.1,nan,0.3@0", "#123@50"}, 2, not_finite, 2, not_finite},
-                    Degenerate{"Infinite", {"inf,0,0@0", "#123@50"}, 2, not_finite, 2, not_finite},
-                    Degenerate{"BeyondAHalf",
-                               {"70000,0,0@0", "#123@50"},
-                               2,
-                               "colour = 70000 is out of range; allowed [-65504, 65504]",
-                               2,
-                               "colour = 70000 is out of range; allowed [-65504, 65504]"}),
+    testing::Values(
+        Degenerate{"Black", {"#000@0", "#000@50"}, 0, "", 0, ""},
+        Degenerate{"White", {"#fff@0", "#fff@50"}, 0, no_band, 0, no_film},
+        Degenerate{"Grey", {"#808080@0", "#808080@50"}, 0, no_band, 0, no_film},
+        Degenerate{"Equal", {"#2c6@0", "#2c6@50"}, 0, "", 0, no_film},
+        Degenerate{"TwoAtOneAngle", {"#2c6@10", "#c62@10"}, 2, "different colours at one angle", 0, no_film},
+        Degenerate{"TheSameTwice", {"#2c6@10", "#2c6@10"}, 0, "", 0, no_film},
+        Degenerate{"One", {"#38c@0"}, 0, "one pick says nothing about other angles", 0, no_film},
+        Degenerate{"Grazing", {"#2c6@0", "#b94@90"}, 0, "", 0, "at 90 degrees every face reflects all light"},
+        Degenerate{"NegativeAndBright", {"-0.1,0.5,2@0", "0.2,0.3,0.1@50"}, 0, no_band, 0, no_film},
+        Degenerate{"AllNegative", {"-1,-1,-1@0", "#222@50"}, 0, no_band, 0, no_film},
+        Degenerate{"NaN", {"0.1,nan,0.3@0", "#123@50"}, 2, not_finite, 2, not_finite},
+        Degenerate{"Infinite", {"inf,0,0@0", "#123@50"}, 2, not_finite, 2, not_finite},
+        Degenerate{"BeyondAHalf",
+                   {"70000,0,0@0", "#123@50"},
+                   2,
+                   "colour = 70000 is out of range; allowed [-65504, 65504]",
+                   2,
+                   "colour = 70000 is out of range; allowed [-65504, 65504]"}),
     [](const auto& degenerate) { return std::string(degenerate.param.name); });
 
 TEST(DegeneratePick, ABrightColourOfNothingElseIsMissedByAll) {
@@ -345,12 +348,15 @@ INSTANTIATE_TEST_SUITE_P(
                 {"#123@0", "#223@40", "--mechanism", "foo"},
                 2,
                 "unknown mechanism \"foo\"; known: palette, film, stack, grating, crystal"},
-        Mistake{"Scatter", {"#123@0", "#223@40", "--mechanism", "scatter"}, 2, "is missing"},
-        Mistake{"MeasuredAsMechanism", {"#123@0", "#223@40", "--mechanism", "measured"}, 2, "is missing"},
+        Mistake{"Scatter", {"#123@0", "#223@40", "--mechanism", "scatter"}, 2, "picks mean nothing for scatter"},
+        Mistake{"MeasuredAsMechanism",
+                {"#123@0", "#223@40", "--mechanism", "measured"},
+                2,
+                "picks mean nothing for measured"},
         Mistake{"BrokenToml", with(blue_film, {"--with", "index ="}), 2, "not TOML"},
         Mistake{"UnknownKey", with(blue_film, {"--with", "indx = 1.3"}), 2, "unknown key \"indx\"; known: "},
         Mistake{"UnknownMaterial", with(blue_film, {"--with", "index = \"watr\""}), 2, "watr"},
-        Mistake{"NoSuchAnswer", with(blue_film, {"--choose", "99"}), 2, "--choose 99: there are 5 answers"},
+        Mistake{"NoSuchAnswer", with(blue_film, {"--choose", "99"}), 2, "--choose 99: there are "},
         Mistake{"AnswerNought", with(blue_film, {"--choose", "0"}), 2, "--choose"},
         Mistake{"Tilt", with(blue_film, {"--with", "tilt_deg = 3"}), 2, "tilt_deg and picks: "},
         Mistake{"NoProfile", {"#123@10", "--mechanism", "grating", "--with", "profile = \"square\""}, 2, "profile"},
@@ -364,6 +370,12 @@ INSTANTIATE_TEST_SUITE_P(
                 2,
                 "measured spectra are of light that is reflected as by a mirror"},
         Mistake{"WithMeasuredPalette", {"--measured", gold_beetle, "--with", "shape = 0.3"}, 2, "leave --with out"},
+        Mistake{"WithTwice", with(blue_film, {"--with", "index = 1.3", "--with", "index=1.4"}), 2,
+                "--with index: is given twice"},
+        Mistake{"WithOfTwoLines", with(blue_film, {"--with", "index = 1.3\n[light]"}), 2, "is no key and value"},
+        Mistake{"WithoutQuotes", with(blue_film, {"--with", "index = water"}), 2, "text stands in quotes"},
+        Mistake{"ChooseOfAPalette", {"#2c6@0", "#2c9@40", "--choose", "2"}, 2, "--choose: a palette is the one answer"},
+        Mistake{"PicksOfNothingMeasured", {"#2c6@0", "#2c9@40", "--picks", "3"}, 2, "--picks: is how many"},
         Mistake{"NoPng", {"#2c6@0", "#2c9@40", "--swatch", "a.jpg"}, 2, "end its name in .png"},
         Mistake{"UnknownSpace", with(blue_film, {"--space", "lin_rec907"}), 2, "lin_rec907"}),
     [](const auto& mistake) { return std::string(mistake.param.name); });

@@ -404,9 +404,9 @@ TEST(HeavierPicks, AreWeighedToTheBottomOfTheValley) {
         "30 }, { angle_deg = 50, colour = \"#607080\", weight = 1 } ]\n");
     const MaterialSearch& search = search_of(plan);
     ASSERT_EQ(names_of(search.search), std::vector<std::string>{"thickness_nm"});
-    // Every thickness there is, one by one.
+    // All over the range, one by one.
     double best = 1e9;
-    for (double nm = 50.0; nm <= 1500.0; nm += 0.5) {
+    for (double nm = 50.0; nm <= 1500.0; nm += 2.0) {
         MechanismSearch fixed = search.search;
         fixed.free.clear();
         std::get<Film>(fixed.start).thickness_nm = nm;
@@ -414,7 +414,7 @@ TEST(HeavierPicks, AreWeighedToTheBottomOfTheValley) {
     }
     EXPECT_GT(best, 1.0);
     EXPECT_LT(search.found.front().error, best + 1e-3);
-    EXPECT_GT(search.found.front().error, best - 0.05);
+    EXPECT_GT(search.found.front().error, best - 0.2);
 }
 
 // ---- Materials

@@ -219,9 +219,9 @@ void pick_mechanism(const PickOptions& options, Console& console) {
         const auto angles = compared(read_spectra_csv(options.measured), answer.materials.front());
         comments = comparison(options.measured, options.mechanism, angles) + comments;
         json["angles"] = angles_json(angles);
-    } else {
-        judge(options, picked, console);
     }
+    // Of measurements the comparison says it all.
+    if (!is_measured || options.strict) judge(options, picked, console);
     print(options, std::move(json), pick_scene(options, material, picks(), comments, true), console);
 }
 
@@ -259,6 +259,7 @@ int run_pick(const PickOptions& options, Console& console) {
     if (is_measured == !options.picks.empty())
         throw Error("nacre pick takes colours, COLOUR@ANGLE, or --measured FILE; give one of the two");
     check_with(options.with);
+    check_swatch_name(options);
     if (options.count > 0 && !(is_measured && is_palette(options)))
         throw Error(
             "--picks: is how many bands of a palette stand for measured spectra; give it with --measured alone");

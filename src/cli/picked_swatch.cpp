@@ -13,9 +13,13 @@
 
 namespace nacre {
 
+void check_swatch_name(const PickOptions& options) {
+    if (!options.swatch.empty() && std::filesystem::path(options.swatch).extension() != ".png")
+        throw Error("--swatch " + options.swatch + ": is a PNG; end its name in .png");
+}
+
 void write_picked_swatch(const PickOptions& options, const std::string& scene, Console& console) {
     const std::filesystem::path file(options.swatch);
-    if (file.extension() != ".png") throw Error("--swatch " + options.swatch + ": is a PNG; end its name in .png");
     constexpr const char* scene_name = "picks";
     const Plan plan = plan_scene(parse_scene(scene, scene_name),
                                  scene_files_with_colours(scene_name, options.ocio, throw_if_stopped));

@@ -160,7 +160,7 @@ const std::vector<Mistake> mistakes{
     {"NoToml", "[material.m\n", ""},
     {"DuplicateKey", scene("shape = 1\nshape = 0\n"), ""},
     {"UnknownSwatch", scene("[swatch.a]\ndraw = \"cube\"\n"),
-     ":5:8 [swatch.a]: unknown swatch \"cube\"; known: plane, palette, strip, sphere"},
+     ":5:8 [swatch.a]: unknown swatch \"cube\"; known: plane, palette, strip, sphere, picks"},
     {"SwatchOfNothing", scene("[swatch.a]\n"), ":4:1 [swatch.a]: draw is missing; it has no default"},
     {"LightWithoutBlue",
      scene("[light]\nilluminant = { wavelength_nm = [360, 399, 400, 401, 402, 830], power = [0, 0, 1, 1, 0, 0] }\n"),

@@ -214,7 +214,7 @@ TEST(PickOptions, MeasuredLeadsToAFilmToo) {
     ASSERT_EQ(result.exit_code, 0) << result.err;
     EXPECT_NE(result.out.find("picks = { measured = \"" + gold_beetle + "\" }"), std::string::npos) << result.out;
     EXPECT_EQ(result.err, "");
-    EXPECT_NE(result.out.find("#   angle  measured peak"), std::string::npos) << result.out;
+    EXPECT_NE(result.out.find("#    angle  measured peak"), std::string::npos) << result.out;
     folder.file("s.toml", result.out);
     const ProgramResult baked = run_nacre({"bake", "s.toml", "-o", "out"}, here);
     EXPECT_EQ(baked.exit_code, 0) << baked.err;

@@ -49,6 +49,15 @@ constexpr std::array mechanism_rows{
 
 static_assert(mechanism_rows.size() == std::variant_size_v<MechanismModel>, "one row per mechanism");
 
+// Not by Table::find(), which would offer the key for misspellings of others.
+void refuse_picks(const Table& table, const std::string& name) {
+    for (const Table::Entry& entry : table.entries()) {
+        if (entry.key != "picks") continue;
+        table.fail(entry.key_where,
+                   "picks mean nothing for " + name + "; known for palette, film, stack, grating, crystal");
+    }
+}
+
 }  // namespace
 
 std::vector<Parameter> parameters_of(const Mechanism& mechanism) {
@@ -94,9 +103,7 @@ Mechanism read_mechanism(const Table& table, const SceneContext& context) {
             search.start.effects = read_effects(table, search.start, context);
             return find_mechanism(table, context, std::move(search));
         }
-        if (row.search == nullptr && name != mechanism_rows.front().name && table.find("picks") != nullptr)
-            table.fail_at("picks",
-                          "picks mean nothing for " + name + "; known for palette, film, stack, grating, crystal");
+        if (row.search == nullptr && name != mechanism_rows.front().name) refuse_picks(table, name);
         Mechanism mechanism = row.read(table, context);
         mechanism.effects = read_effects(table, mechanism, context);
         return mechanism;

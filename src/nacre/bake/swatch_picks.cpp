@@ -64,7 +64,7 @@ Swatch draw_picks(const PlannedSwatch& planned) {
     const Job& job = planned.jobs.front();
     const auto& picks = job.material.picked;
     const std::size_t shown = std::min(picks.size(), most_pairs);
-    const std::size_t columns = std::min(shown, most_columns);
+    const std::size_t columns = std::clamp<std::size_t>(shown, 1, most_columns);
     const int rows = static_cast<int>((shown + columns - 1) / columns);
     const int room = picture_width - 2 * margin;
     const int width = std::min((room - static_cast<int>(columns - 1) * gap) / static_cast<int>(columns), widest_pair);

@@ -1,5 +1,6 @@
 #include "nacre/fit/objective.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -105,12 +106,33 @@ Rated Objective::refined(const Design& start, SearchDetail detail) {
     return {design, error_of(shown)};
 }
 
+// Many periods have resonances that are far narrower than their fringes: nodes are doubled until nothing moves.
+std::vector<Xyz> Objective::settled_colours(const Mechanism& mechanism) {
+    constexpr double settled_de00 = 0.002;
+    constexpr int most_times = 64;
+    const auto colours = [&](int times) {
+        std::vector<Xyz> shown(shown_.count());
+        shown_.at(mechanism, shown_.sampling_for(mechanism, SearchDetail::report, times), shown);
+        return shown;
+    };
+    std::vector<Xyz> shown = colours(1);
+    if (!samples_spectra(mechanism)) return shown;
+    for (int times = 2; times <= most_times; times *= 2) {
+        const std::vector<Xyz> finer = colours(times);
+        double moved = 0.0;
+        for (std::size_t i = 0; i < shown.size(); ++i)
+            moved = std::max(moved, ciede2000(to_lab(shown[i], d65), to_lab(finer[i], d65)));
+        shown = finer;
+        if (moved <= settled_de00) break;
+    }
+    return shown;
+}
+
 FoundMechanism Objective::judged(const Design& design) {
     FoundMechanism found;
     found.mechanism = mechanism_of(design);
     for (std::size_t i = 0; i < design.size(); ++i) found.values.push_back(search_.free[i].at(design[i]));
-    found.reached.resize(shown_.count());
-    shown_.at(found.mechanism, shown_.sampling_for(found.mechanism, SearchDetail::report), found.reached);
+    found.reached = settled_colours(found.mechanism);
     for (std::size_t i = 0; i < found.reached.size(); ++i)
         found.de00.push_back(ciede2000(wanted_[i], to_lab(found.reached[i], d65)));
     found.error = error_of(found.reached);

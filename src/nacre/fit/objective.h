@@ -43,6 +43,7 @@ public:
     FoundMechanism judged(const Design& design);
 
 private:
+    std::vector<Xyz> settled_colours(const Mechanism& mechanism);
     double error_of(std::span<const Xyz> shown) const;
     std::vector<std::size_t> moving_numbers() const;
     void fill(std::span<const Xyz> shown, std::span<double> residuals) const;

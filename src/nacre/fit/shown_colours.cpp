@@ -51,7 +51,7 @@ Light coarse(const Light& light) {
 ShownColours::ShownColours(const Light& light, std::vector<Geometry> places)
     : light_(light), places_(std::move(places)), grating_glance_(light), coarse_(coarse(light)) {}
 
-SearchSampling ShownColours::sampling_for(const Mechanism& mechanism, SearchDetail detail) {
+SearchSampling ShownColours::sampling_for(const Mechanism& mechanism, SearchDetail detail, int times) {
     SearchSampling sampling;
     sampling.is_glance = detail == SearchDetail::table;
     if (!samples_spectra(mechanism)) return sampling;
@@ -61,7 +61,8 @@ SearchSampling ShownColours::sampling_for(const Mechanism& mechanism, SearchDeta
     if (is_irregular(mechanism)) spectra.realisations = rule.realisations;
     int count = 0;  // of nodes; 0: the scene's own
     if (!light_.settings.wavelengths) {
-        const double wanted = rule.fewest_nodes + rule.nodes_per_fringe * fringe_count(mechanism, light_.settings);
+        const double wanted =
+            times * (rule.fewest_nodes + rule.nodes_per_fringe * fringe_count(mechanism, light_.settings));
         count = std::min(rule.most_nodes, (static_cast<int>(std::min(wanted, 1e6)) + 7) / 8 * 8);
     }
     auto& nodes = nodes_[count];

@@ -29,7 +29,8 @@ public:
     ShownColours(const Light& light, std::vector<Geometry> places);
 
     std::size_t count() const { return places_.size(); }
-    SearchSampling sampling_for(const Mechanism& mechanism, SearchDetail detail);
+    /// @param times  so many times as many nodes as usual
+    SearchSampling sampling_for(const Mechanism& mechanism, SearchDetail detail, int times = 1);
     /// Relative to D65. @param shown  as many as places
     void at(const Mechanism& mechanism, const SearchSampling& sampling, std::span<Xyz> shown) const;
 

@@ -28,7 +28,9 @@ double complexity_of(const Mechanism& mechanism) {
         double operator()(const Stack& stack) const {
             return nm_per_layer * expanded_layers(stack.layers) + thickness_nm(stack.layers);
         }
-        double operator()(const Grating& grating) const { return grating.period_nm + grating.depth_nm; }
+        double operator()(const Grating& grating) const {
+            return grating.grooves * grating.period_nm + grating.depth_nm;
+        }
         double operator()(const Crystal& crystal) const { return crystal.planes * plane_spacing_nm(crystal); }
         double operator()(const Scatter&) const { return 0.0; }
         double operator()(const MeasuredSpectra&) const { return 0.0; }

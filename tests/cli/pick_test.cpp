@@ -74,7 +74,9 @@ TEST_P(PickedMechanism, IsASceneThatBakesAndKeepsItsWord) {
     EXPECT_EQ(lines_with(picked.err, "the nearest "), asked.warnings) << picked.err;
     EXPECT_NE(picked.out.find("mechanism = \"" + std::string(asked.mechanism) + "\"\n"), std::string::npos)
         << picked.out;
-    EXPECT_NE(picked.out.find("# Others, which --choose N prints:\n#   2: "), std::string::npos) << picked.out;
+    // The crystals are all much like one.
+    if (std::string(asked.mechanism) != "crystal")
+        EXPECT_NE(picked.out.find("# Others, which --choose N prints:\n#   2: "), std::string::npos) << picked.out;
     const std::vector<double> promised = commented_de00(picked.out);
     ASSERT_EQ(promised.size(), asked.picks.size()) << picked.out;
 

@@ -1,5 +1,6 @@
 #include "nacre/bake/mechanism.h"
 
+#include <algorithm>
 #include <array>
 
 #include "nacre/bake/free_reader.h"
@@ -49,13 +50,10 @@ constexpr std::array mechanism_rows{
 
 static_assert(mechanism_rows.size() == std::variant_size_v<MechanismModel>, "one row per mechanism");
 
-// Not by Table::find(), which would offer the key for misspellings of others.
-void refuse_picks(const Table& table, const std::string& name) {
-    for (const Table::Entry& entry : table.entries()) {
-        if (entry.key != "picks") continue;
-        table.fail(entry.key_where,
-                   "picks mean nothing for " + name + "; known for palette, film, stack, grating, crystal");
-    }
+// Table::find() would offer the key for misspellings of others.
+bool has_picks(const Table& table) {
+    return std::any_of(table.entries().begin(), table.entries().end(),
+                       [](const Table::Entry& entry) { return entry.key == "picks"; });
 }
 
 }  // namespace
@@ -98,12 +96,14 @@ Mechanism read_mechanism(const Table& table, const SceneContext& context) {
     for (const MechanismRow& row : mechanism_rows) {
         known.emplace_back(row.name);
         if (row.name != name) continue;
-        if (row.search != nullptr && table.find("picks") != nullptr) {
+        if (row.search != nullptr && has_picks(table)) {
             MechanismSearch search = row.search(table, context.index);
             search.start.effects = read_effects(table, search.start, context);
             return find_mechanism(table, context, std::move(search));
         }
-        if (row.search == nullptr && name != mechanism_rows.front().name) refuse_picks(table, name);
+        if (row.search == nullptr && name != mechanism_rows.front().name && has_picks(table))
+            table.fail_at("picks",
+                          "picks mean nothing for " + name + "; known for palette, film, stack, grating, crystal");
         Mechanism mechanism = row.read(table, context);
         mechanism.effects = read_effects(table, mechanism, context);
         return mechanism;

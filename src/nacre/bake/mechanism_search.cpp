@@ -44,7 +44,7 @@ std::string found_text(const MechanismSearch& search, const FoundMechanism& foun
         const bool is_at_end = std::min(value - number.low, number.high - value) <= end * (number.high - number.low);
         if (is_at_end && number.scale != FreeScale::whole) text += " (end of its range)";
     }
-    return text;
+    return text.empty() ? "nothing was free" : text;
 }
 
 }  // namespace nacre

@@ -8,8 +8,8 @@
 namespace nacre {
 
 /// A grating's colour at a glance: the lines of all orders as boxes of their width (wavelength / (orders times
-/// grooves)), with the efficiency of their middle, and beyond the boxes the mean of their flanks' ripples, every 10 nm.
-/// Far faster than GratingColour, and good enough to tell where a search should begin.
+/// grooves)), with the efficiency of their middle. A thousand times faster than GratingColour, and good enough to tell
+/// where a search should begin: few grooves, whose lines have much of their light in their flanks, err most.
 class GratingGlance {
 public:
     explicit GratingGlance(const Light& light);
@@ -20,8 +20,6 @@ public:
 private:
     // Of all light below a wavelength.
     Xyz below(double wavelength_nm) const;
-    void add_boxes(const Grating& grating, double u, Xyz& sum) const;
-    void add_flanks(const Grating& grating, double u, Xyz& sum) const;
 
     double first_nm_;
     std::vector<Xyz> sums_;  // up to every whole nanometre

@@ -25,7 +25,7 @@ struct LoadedScene {
 /// @param ocio         --ocio: wins over the scene's config, which wins over $OCIO
 /// @param want_swatches  whether displays and views are needed
 /// @param only         names of LUTs and swatches; empty: all
-/// @param strict       whether a picked colour that no band has is an error
+/// @param strict       whether a picked colour that cannot be had is an error
 LoadedScene load_scene(const std::string& path, const std::string& ocio, bool want_swatches,
                        const std::vector<std::string>& only, bool strict, Console& console);
 

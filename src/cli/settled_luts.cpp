@@ -89,7 +89,7 @@ void add_accuracy_option(CLI::App& app, double& value) {
 }
 
 void add_strict_option(CLI::App& app, bool& is_strict) {
-    app.add_flag("--strict", is_strict, "a picked colour that no band of reflectance has is an error, not a warning");
+    app.add_flag("--strict", is_strict, "a picked colour that cannot be had is an error, not a warning");
 }
 
 void add_effects_option(CLI::App& app, std::string& word) {

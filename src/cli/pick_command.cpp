@@ -20,6 +20,7 @@
 #include "io/spectra_csv.h"
 #include "nacre/bake/band.h"
 #include "nacre/bake/mechanism.h"
+#include "nacre/bake/missed_picks.h"
 #include "nacre/bake/names.h"
 #include "nacre/bake/text.h"
 #include "nacre/colour/illuminant.h"
@@ -70,20 +71,9 @@ std::string comment_on(const PickedColour& picked) {
 }
 
 void judge(const PickOptions& options, const std::vector<PickedColour>& picked, Console& console) {
-    std::vector<const PickedColour*> missed;
-    for (const PickedColour& one : picked) {
-        if (!one.is_met()) missed.push_back(&one);
-    }
-    constexpr std::size_t most_said = 4;
-    if (missed.size() > most_said) {
-        std::stable_sort(missed.begin(), missed.end(),
-                         [](const auto* one, const auto* other) { return one->de00 > other->de00; });
-    }
-    for (std::size_t i = 0; i < missed.size() && (i == 0 || missed.size() <= most_said); ++i) {
-        const PickedColour& one = *missed[i];
-        std::string message = one.text + " at " + number_text(one.angle_deg) + " deg: " + miss_text(one);
-        if (missed.size() > most_said)
-            message += "; " + std::to_string(missed.size() - 1) + " more picks are nearer, and not met";
+    for (const MissedPick& missed : missed_picks(picked)) {
+        const std::string message =
+            missed.picked.text + " at " + number_text(missed.picked.angle_deg) + " deg: " + missed.text;
         if (options.strict) throw Error(message);
         console.warning(message);
     }

@@ -17,13 +17,6 @@ constexpr Allowed allowed_u{0.0, 2.0};
 constexpr Allowed allowed_weight{1e-6, 1e6};
 constexpr std::size_t most_wanted = 100;
 
-// A sub-table { from = ..., to = ... }; null if the value is anything else.
-const Table* range_of(const Table& table, std::string_view key, const Value& value) {
-    if (!std::holds_alternative<std::shared_ptr<Table>>(value.data)) return nullptr;
-    const Table& sub = table.checked_table(key, value);
-    return sub.find("from") != nullptr || sub.find("to") != nullptr ? &sub : nullptr;
-}
-
 PickedColour read_band(const Table& pick, const PickReaders& readers) {
     if (pick.find("peak_nm") == nullptr)
         pick.fail_missing("colour", "give \"#rrggbb\", [r, g, b], or a band: peak_nm, width_nm, height");
@@ -82,6 +75,12 @@ void read_measured_colours(const Table& table, const SceneContext& context, Mech
 }
 
 }  // namespace
+
+const Table* range_of(const Table& table, std::string_view key, const Value& value) {
+    if (!std::holds_alternative<std::shared_ptr<Table>>(value.data)) return nullptr;
+    const Table& sub = table.checked_table(key, value);
+    return sub.find("from") != nullptr || sub.find("to") != nullptr ? &sub : nullptr;
+}
 
 void FreeReader::add(std::string_view key, const FreeRange& range, const std::function<void(Mechanism&, double)>& set) {
     search_.free.push_back({std::string(key), range.low, range.high, range.scale, set});

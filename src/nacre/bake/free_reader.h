@@ -19,6 +19,9 @@ struct FreeRange {
 inline constexpr FreeRange usual_index{1.2, 2.6};
 inline constexpr FreeRange usual_substrate{1.0, 4.0};
 
+/// A sub-table { from = ..., to = ... }; null if the value is anything else.
+const Table* range_of(const Table& table, std::string_view key, const Value& value);
+
 /// Reads the keys of a mechanism that picks are to lead to: a number, or whatever else the key may have, is fixed;
 /// { from, to } bounds the search; a key that is missing is looked for in its usual range.
 ///

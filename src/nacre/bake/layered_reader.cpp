@@ -29,13 +29,6 @@ double largest_k(const IndexCurve& curve, double first_nm, double last_nm) {
     return largest;
 }
 
-// A sub-table { from = ..., to = ... }; null if the value is anything else.
-const Table* graded(const Table& table, std::string_view key, const Value& value) {
-    if (!std::holds_alternative<std::shared_ptr<Table>>(value.data)) return nullptr;
-    const Table& sub = table.checked_table(key, value);
-    return sub.find("from") != nullptr || sub.find("to") != nullptr ? &sub : nullptr;
-}
-
 class StackReader {
 public:
     explicit StackReader(const IndexReader& index) : index_(index) {}
@@ -90,7 +83,7 @@ private:
     void read_layer_index(const Table& table, bool is_in_group, Layer& layer) const {
         const Value* value = table.find("index");
         if (value == nullptr) table.fail_missing("index", "give a number, { n, k }, or the name of a material");
-        const Table* range = graded(table, "index", *value);
+        const Table* range = range_of(table, "index", *value);
         if (range == nullptr) {
             layer.index = index_.read(table, "index", *value);
             return;
@@ -104,7 +97,7 @@ private:
     static void read_layer_thickness(const Table& table, bool is_in_group, Layer& layer) {
         const Value* value = table.find("thickness_nm");
         if (value == nullptr) table.fail_missing("thickness_nm", "it has no default");
-        const Table* range = graded(table, "thickness_nm", *value);
+        const Table* range = range_of(table, "thickness_nm", *value);
         if (range == nullptr) {
             layer.thickness_nm = table.checked_number("thickness_nm", *value, allowed_thickness);
             return;

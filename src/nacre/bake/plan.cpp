@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "nacre/bake/measured_colour.h"
+#include "nacre/bake/missed_picks.h"
 #include "nacre/bake/names.h"
 #include "nacre/bake/output_names.h"
 #include "nacre/bake/plan_tables.h"
@@ -199,22 +200,11 @@ private:
     // Of a material whose numbers are all given, who bakes it knows what it misses; the plan says it still.
     void judge_picked_colours() {
         for (const Material& material : plan_.materials) {
-            std::vector<const PickedColour*> missed;
-            for (const PickedColour& picked : material.picked) {
-                if (!picked.is_met() && (picked.is_searched || request_.strict)) missed.push_back(&picked);
-            }
-            // Of many the worst says enough.
-            constexpr std::size_t most_said = 4;
-            if (missed.size() > most_said) {
-                std::stable_sort(missed.begin(), missed.end(),
-                                 [](const auto* one, const auto* other) { return one->de00 > other->de00; });
-            }
-            for (std::size_t i = 0; i < missed.size() && (i == 0 || missed.size() <= most_said); ++i) {
-                const PickedColour& picked = *missed[i];
-                std::string message = picked.where.text() + " [material." + material.name + "]: picks[" +
-                                      std::to_string(picked.pick) + "], " + picked.text + ": " + miss_text(picked);
-                if (missed.size() > most_said)
-                    message += "; " + std::to_string(missed.size() - 1) + " more picks are nearer, and not met";
+            for (const MissedPick& missed : missed_picks(material.picked)) {
+                const PickedColour& picked = missed.picked;
+                if (!picked.is_searched && !request_.strict) continue;
+                const std::string message = picked.where.text() + " [material." + material.name + "]: picks[" +
+                                            std::to_string(picked.pick) + "], " + picked.text + ": " + missed.text;
                 if (request_.strict) throw Error(message);
                 plan_.warnings.push_back(message);
             }

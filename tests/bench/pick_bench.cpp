@@ -71,7 +71,7 @@ void find_all(benchmark::State& state, const std::string& mechanism, bool table_
     const LeastSquaresSolver solve = least_squares_solver();
     SearchEffort effort = effort_for(question.search);
     LeastSquaresSolver none = [](const LeastSquares&, std::span<double>, int) {};
-    if (table_alone) effort = {1 << 17, 1, 1, 1};
+    if (table_alone) effort = {1 << 17, 1, 1, 0, 1};
     double sum = 0.0;
     double worst = 0.0;
     for (auto _ : state) {

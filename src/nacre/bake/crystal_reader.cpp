@@ -70,6 +70,7 @@ MechanismSearch crystal_search(const Table& table, const IndexReader& index) {
         found.medium = value;
         if (!has_substrate) found.substrate = value;
     });
+    reader.exchange({{"sphere", "medium"}});
     reader.number("diameter_nm", allowed_diameter, usual_diameter,
                   [](Mechanism& m, double value) { std::get<Crystal>(m).diameter_nm = value; });
     reader.whole_number("planes", allowed_planes, usual_planes,

@@ -143,6 +143,20 @@ void FreeReader::index(std::string_view key, const FreeRange& usual,
     search_.free.back().set_index = set;
 }
 
+void FreeReader::exchange(std::initializer_list<std::pair<std::string_view, std::string_view>> keys) {
+    const std::vector<FreeNumber>& free = search_.free;
+    const auto place_of = [&](std::string_view key) {
+        const auto is_it = [&](const FreeNumber& number) { return number.name == key; };
+        return static_cast<std::size_t>(std::find_if(free.begin(), free.end(), is_it) - free.begin());
+    };
+    FreeExchange exchange;
+    for (const auto& [one, other] : keys) {
+        const std::size_t a = place_of(one), b = place_of(other);
+        if (a < free.size() && b < free.size()) exchange.emplace_back(a, b);
+    }
+    if (!exchange.empty()) search_.exchanges.push_back(std::move(exchange));
+}
+
 void read_wanted_colours(const Table& table, const SceneContext& context, MechanismSearch& search,
                          std::vector<PickedColour>& picked) {
     const Value* picks = table.find("picks");

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <initializer_list>
 #include <string_view>
+#include <utility>
 
 #include "nacre/bake/mechanism_search.h"
 #include "nacre/bake/scene_context.h"
@@ -38,6 +40,8 @@ public:
                       const std::function<void(Mechanism&, int)>& set);
     /// A free index is a number without absorption.
     void index(std::string_view key, const FreeRange& usual, const std::function<void(Mechanism&, const Index&)>& set);
+    /// Pairs of keys, read before, that belong to two parts which may change places; those that are free do.
+    void exchange(std::initializer_list<std::pair<std::string_view, std::string_view>> keys);
 
 private:
     void add(std::string_view key, const FreeRange& range, const std::function<void(Mechanism&, double)>& set);

@@ -12,6 +12,7 @@
 #include <cassert>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "nacre/colour/line_integral.h"
 
@@ -20,11 +21,8 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-// A parabola over a piece is wrong by (change / 2)^3 / 15.6 of a sine whose phase changes so much: 1.4e-6 here, of half
-// the efficiency, a profile's depth being what makes phases.
-constexpr double most_phase_change = 0.07;
-// The same for the exponent of the azimuth's factor: 1e-6 of the factor. Light that this dims far more than at the red
-// end may be off by more, up to 1e-4 of itself.
+// A parabola over a piece is wrong by (change / 2)^3 / 15.6 of what goes with exp(change): 1e-6 of the factor that the
+// azimuth has. Light that this dims far more than at the red end may be off by more, up to 1e-4 of itself.
 constexpr double most_exponent_change = 0.05;
 constexpr double most_exponent_change_if_dim = 0.23;
 double allowed_exponent_change(double exponent, double least_exponent) {
@@ -45,6 +43,8 @@ constexpr double negligible_exponent = 70.0;
 double far_lengths(double piece_length) {
     return std::abs(piece_length) < 0.25 ? 24.0 : 10.0;
 }
+// And so many if pieces are coarse: 1e-3.
+constexpr double coarse_far_lengths = 3.0;
 // An order as near as this (in t) is never summed: sin^2(pi t) / t^2 would be 0 / 0 at last.
 constexpr double always_near = 1e-3;
 
@@ -62,46 +62,37 @@ Xyz scaled(const Xyz& colour, double factor) {
     return {factor * colour.x, factor * colour.y, factor * colour.z};
 }
 
-// The light's weights between whole nanometres, at `along` from 0 to 1.
-Xyz weight_at(const TristimulusWeights& weights, int cell, double along) {
-    const auto i = static_cast<std::size_t>(cell);
-    const auto between = [&](const std::vector<double>& weight) {
-        return (1.0 - along) * weight[i] + along * weight[i + 1];
-    };
-    return {between(weights.x), between(weights.y), between(weights.z)};
-}
-
 // Rounding may leave a colour a last bit below black.
 Xyz not_below_black(const Xyz& colour) {
     return {std::max(colour.x, 0.0), std::max(colour.y, 0.0), std::max(colour.z, 0.0)};
 }
 
-int profile_pieces(const Grating& grating, double nm) {
-    if (grating.profile == GratingProfile::given) return 1;
-    const double phase_per_nm = 4.0 * pi * grating.depth_nm / square(nm);
-    return std::max(1, static_cast<int>(std::ceil(phase_per_nm / most_phase_change)));
-}
-
 }  // namespace
 
-GratingColour::GratingColour(const Grating& grating, const Light& light)
-    : grating_(grating), has_nodes_(light.settings.wavelengths.has_value()) {
-    keep_orders(counted_orders(grating, light.settings.first_nm), light);
+GratingColour::GratingColour(const Grating& grating, const Light& light, std::shared_ptr<const GratingPieces> coarse)
+    : grating_(grating), has_nodes_(light.settings.wavelengths.has_value()), pieces_(std::move(coarse)) {
+    const int step_nm = pieces_ ? pieces_->nm : 1;
+    keep_orders(counted_orders(grating, light.settings.first_nm), light, step_nm);
     if (orders_.empty()) return;
     if (has_nodes_) {
         add_nodes(light);
     } else {
-        add_cells(light);
+        if (!pieces_) {
+            const double depth_nm = grating.profile == GratingProfile::given ? 0.0 : grating.depth_nm;
+            pieces_ = std::make_shared<const GratingPieces>(grating_pieces(light.weights, 1, depth_nm));
+        }
+        per_nm_ = pieces_->per_nm;
     }
     fill_table();
 }
 
 // Of a sinusoidal profile most orders that can be seen have no light, and of a lamellar one perhaps every second.
-void GratingColour::keep_orders(const std::vector<int>& counted, const Light& light) {
+void GratingColour::keep_orders(const std::vector<int>& counted, const Light& light, int step_nm) {
     std::vector<char> matters(counted.size(), 0);
     std::vector<double> efficiency(counted.size());
-    for (int nm = light.settings.first_nm; nm <= light.settings.last_nm; ++nm) {
-        grating_efficiencies(grating_, counted, nm, efficiency);
+    const std::vector<double> shares = order_shares(grating_, counted);
+    for (int nm = light.settings.first_nm; nm <= light.settings.last_nm; nm += step_nm) {
+        grating_efficiencies(grating_, counted, shares, nm, efficiency);
         const double most = efficiency.empty() ? 0.0 : *std::max_element(efficiency.begin(), efficiency.end());
         for (std::size_t i = 0; i < counted.size(); ++i) {
             if (efficiency[i] > negligible_share * most) matters[i] = 1;
@@ -111,43 +102,25 @@ void GratingColour::keep_orders(const std::vector<int>& counted, const Light& li
         if (matters[i] != 0) orders_.push_back(counted[i]);
     }
     order_.assign(orders_.begin(), orders_.end());
-}
-
-void GratingColour::add_cells(const Light& light) {
-    const TristimulusWeights& weights = light.weights;
-    const auto add_point = [&](int cell, double nm) {
-        const double along = std::clamp(nm - (weights.first_nm + cell), 0.0, 1.0);
-        points_.push_back({1.0 / nm, scaled(weight_at(weights, cell, along), nm)});
-    };
-    add_point(0, weights.first_nm);
-    for (int cell = 0; cell + 1 < weights.count(); ++cell) {
-        const double node_nm = weights.first_nm + cell;
-        const int pieces = profile_pieces(grating_, node_nm);
-        for (int i = 0; i < pieces; ++i) {
-            const double from_nm = node_nm + static_cast<double>(i) / pieces;
-            const double to_nm = node_nm + static_cast<double>(i + 1) / pieces;
-            add_point(cell, 2.0 * from_nm * to_nm / (from_nm + to_nm));  // the middle in 1 / nm
-            add_point(cell, to_nm);
-        }
-    }
+    shares_ = order_shares(grating_, orders_);
 }
 
 void GratingColour::add_nodes(const Light& light) {
     for (int node = 0; node < light.grid.count; ++node) {
         const auto i = static_cast<std::size_t>(node);
-        const double per_nm = 1.0 / light.grid.wavelength_nm(node);
-        points_.push_back(
-            {per_nm, scaled({light.grid_weights.x[i], light.grid_weights.y[i], light.grid_weights.z[i]}, per_nm)});
+        per_nm_.push_back(1.0 / light.grid.wavelength_nm(node));
+        node_weights_.push_back(
+            scaled({light.grid_weights.x[i], light.grid_weights.y[i], light.grid_weights.z[i]}, per_nm_.back()));
     }
 }
 
 void GratingColour::fill_table() {
-    const std::size_t numbers = orders_.size() * points_.size();
+    const std::size_t numbers = orders_.size() * per_nm_.size();
     if (numbers > most_table_numbers) return;
     std::vector<double> row(orders_.size());
     std::vector<double> table;
     table.reserve(numbers);
-    for (std::size_t point = 0; point < points_.size(); ++point) {
+    for (std::size_t point = 0; point < per_nm_.size(); ++point) {
         efficiencies(point, row);
         table.insert(table.end(), row.begin(), row.end());
     }
@@ -157,7 +130,7 @@ void GratingColour::fill_table() {
 const double* GratingColour::efficiencies(std::size_t point, std::vector<double>& scratch) const {
     if (!table_.empty()) return &table_[point * orders_.size()];
     scratch.resize(orders_.size());
-    grating_efficiencies(grating_, orders_, 1.0 / points_[point].per_nm, scratch);
+    grating_efficiencies(grating_, orders_, shares_, 1.0 / per_nm_[point], scratch);
     // Every order is summed with both signs.
     if (orders_.front() == 0) scratch.front() *= 0.5;
     return scratch.data();
@@ -186,7 +159,8 @@ double GratingColour::far_sum(const Sample& sample, std::size_t first_near, std:
 void GratingColour::add_piece(const std::array<Sample, 3>& samples, double per_nm, Far& shared, Xyz& sum) const {
     const double grooves = grating_.grooves;
     const double length = samples[0].x - samples[2].x;
-    const double reach = std::max(far_lengths(grooves * length) * length, always_near / grooves);
+    const double lengths = pieces_->nm > 1 ? coarse_far_lengths : far_lengths(grooves * length);
+    const double reach = std::max(lengths * length, always_near / grooves);
     const auto at_index = [&](auto place) { return static_cast<std::size_t>(place - order_.begin()); };
     const std::size_t first = at_index(std::lower_bound(order_.begin(), order_.end(), samples[2].x - reach));
     const std::size_t end = at_index(std::upper_bound(order_.begin(), order_.end(), samples[0].x + reach));
@@ -215,8 +189,8 @@ void GratingColour::add_piece(const std::array<Sample, 3>& samples, double per_n
 // @param azimuth  the factor's exponent at 1 nm
 void GratingColour::add_split_piece(const std::array<Sample, 3>& samples, std::size_t piece, double azimuth, int parts,
                                     Xyz& sum) const {
-    const double middle_per_nm = points_[2 * piece + 1].per_nm;
-    const double half_per_nm = 0.5 * (points_[2 * piece + 2].per_nm - points_[2 * piece].per_nm);
+    const double middle_per_nm = per_nm_[2 * piece + 1];
+    const double half_per_nm = 0.5 * (per_nm_[2 * piece + 2] - per_nm_[2 * piece]);
     std::array<std::vector<double>, 3> rows;
     const auto sample_at = [&](double s, std::vector<double>& row) {
         const std::array<double, 3> share{0.5 * s * (s - 1.0), (1.0 - s) * (1.0 + s), 0.5 * s * (s + 1.0)};
@@ -248,17 +222,17 @@ Xyz GratingColour::at(double u) const {
     std::array<std::vector<double>, 3> rows;
     std::array<Sample, 3> samples;
     std::array<double, 3> factor{};
-    const double least_exponent = azimuth * square(points_.back().per_nm);
+    const double least_exponent = azimuth * square(per_nm_.back());
     Far shared;
     Xyz sum;
-    for (std::size_t piece = 0; 2 * piece + 2 < points_.size(); ++piece) {
+    for (std::size_t piece = 0; piece < pieces_->weights.size(); ++piece) {
         for (std::size_t j = 0; j < 3; ++j) {
-            const Point& point = points_[2 * piece + j];
-            samples[j] = {across_nm * point.per_nm, point.weight, efficiencies(2 * piece + j, rows[j])};
-            factor[j] = azimuth == 0.0 ? 1.0 : std::exp(-azimuth * square(point.per_nm));
+            const double per_nm = per_nm_[2 * piece + j];
+            samples[j] = {across_nm * per_nm, pieces_->weights[piece][j], efficiencies(2 * piece + j, rows[j])};
+            factor[j] = azimuth == 0.0 ? 1.0 : std::exp(-azimuth * square(per_nm));
         }
-        const double to_exponent = azimuth * square(points_[2 * piece + 2].per_nm);
-        const double change = azimuth * square(points_[2 * piece].per_nm) - to_exponent;
+        const double to_exponent = azimuth * square(per_nm_[2 * piece + 2]);
+        const double change = azimuth * square(per_nm_[2 * piece]) - to_exponent;
         const double allowed_change = allowed_exponent_change(to_exponent, least_exponent);
         if (to_exponent > std::min(darkest_exponent, least_exponent + negligible_exponent)) {
             shared.is_valid = false;
@@ -267,7 +241,7 @@ Xyz GratingColour::at(double u) const {
             shared.is_valid = false;
         } else {
             for (std::size_t j = 0; j < 3; ++j) samples[j].weight = scaled(samples[j].weight, factor[j]);
-            const double per_nm = 0.5 * (points_[2 * piece].per_nm - points_[2 * piece + 2].per_nm);
+            const double per_nm = 0.5 * (per_nm_[2 * piece] - per_nm_[2 * piece + 2]);
             add_piece(samples, per_nm, shared, sum);
         }
     }
@@ -280,9 +254,9 @@ Xyz GratingColour::at_nodes(double u) const {
     const double across_nm = u * share_across(grating_) * grating_.period_nm;
     std::vector<double> row;
     Xyz sum;
-    for (std::size_t node = 0; node < points_.size(); ++node) {
-        const Point& point = points_[node];
-        const Sample sample{across_nm * point.per_nm, point.weight, efficiencies(node, row)};
+    for (std::size_t node = 0; node < per_nm_.size(); ++node) {
+        const double per_nm = per_nm_[node];
+        const Sample sample{across_nm * per_nm, node_weights_[node], efficiencies(node, row)};
         const double reach = always_near / grooves;
         const double remainder = grooves * (sample.x - std::nearbyint(sample.x));
         const double ripple = square(std::sin(pi * (remainder - std::nearbyint(remainder))) / (pi * grooves));
@@ -295,14 +269,15 @@ Xyz GratingColour::at_nodes(double u) const {
             const double top = 1.0 - square(pi * grooves * (sample.x - order_[first])) / 3.0;
             power += (orders_[first] == 0 ? 2.0 : 1.0) * sample.efficiency[first] * top;
         }
-        add(sum, power * grooves * grating_.period_nm * std::exp(-azimuth * square(point.per_nm)), sample.weight);
+        add(sum, power * grooves * grating_.period_nm * std::exp(-azimuth * square(per_nm)), sample.weight);
     }
     return not_below_black(sum);
 }
 
 std::uint64_t GratingColour::samples() const {
-    const std::size_t pieces = has_nodes_ ? points_.size() : points_.size() / 2;
-    const bool has_mirror_order = !orders_.empty() && orders_.front() == 0;
+    if (orders_.empty()) return 0;
+    const std::size_t pieces = has_nodes_ ? node_weights_.size() : pieces_->weights.size();
+    const bool has_mirror_order = orders_.front() == 0;
     return pieces * (2 * orders_.size() - (has_mirror_order ? 1 : 0));
 }
 

@@ -3,8 +3,10 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
+#include "nacre/bake/grating_pieces.h"
 #include "nacre/bake/light.h"
 #include "nacre/colour/colour_types.h"
 #include "nacre/optics/grating.h"
@@ -22,7 +24,10 @@ namespace nacre {
 class GratingColour {
 public:
     /// Keeps what it needs: neither has to outlive it.
-    GratingColour(const Grating& grating, const Light& light);
+    /// @param coarse  pieces of many nanometres, for who looks at thousands of gratings: lines stay as narrow as they
+    /// are, but what varies slowly is a parabola over so many nanometres. 12 of them err by CIEDE2000 0.002 in the
+    /// mean and 0.3 at most; null: the accuracy above
+    GratingColour(const Grating& grating, const Light& light, std::shared_ptr<const GratingPieces> coarse = nullptr);
 
     /// Before adaptation. Per unit of u: a line's colour is that of its efficiencies times the wavelengths that a unit
     /// of u spans, and may exceed 1. With the light's own `wavelengths`, the sum over its nodes.
@@ -36,10 +41,6 @@ public:
     }
 
 private:
-    struct Point {
-        double per_nm;  // 1 / wavelength
-        Xyz weight;     // times wavelength, or at the light's own nodes divided by it
-    };
     struct Sample {  // a point as one u has it
         double x;    // order that is seen exactly here
         Xyz weight;
@@ -52,8 +53,7 @@ private:
         bool is_valid = false;
     };
 
-    void keep_orders(const std::vector<int>& counted, const Light& light);
-    void add_cells(const Light& light);
+    void keep_orders(const std::vector<int>& counted, const Light& light, int step_nm);
     void add_nodes(const Light& light);
     void fill_table();
     const double* efficiencies(std::size_t point, std::vector<double>& scratch) const;
@@ -65,9 +65,12 @@ private:
 
     Grating grating_;
     bool has_nodes_ = false;
-    std::vector<int> orders_;  // those that matter
+    std::shared_ptr<const GratingPieces> pieces_;  // null: the light's own nodes
+    std::vector<int> orders_;                      // those that matter
     std::vector<double> order_;
-    std::vector<Point> points_;  // pieces are points 2 i, 2 i + 1, 2 i + 2, ascending in wavelength
+    std::vector<double> shares_;
+    std::vector<double> per_nm_;     // of the pieces' points, or the nodes'
+    std::vector<Xyz> node_weights_;  // per point, if those are the light's own nodes: divided by wavelength
     std::vector<double> table_;  // a row of efficiencies per point, that of order 0 halved; empty: too large to keep
 };
 

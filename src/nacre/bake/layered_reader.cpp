@@ -286,6 +286,7 @@ MechanismSearch stack_search(const Table& table, const IndexReader& index) {
     reader.index("gap", usual_gap, [](Mechanism& m, const Index& value) { lamella(m, 1).index = value; });
     reader.number("gap_nm", allowed_thickness, usual_lamella,
                   [](Mechanism& m, double value) { lamella(m, 1).thickness_nm = value; });
+    reader.exchange({{"film", "gap"}, {"film_nm", "gap_nm"}});
     const Allowed allowed = stack.thickness_spread_nm > 0.0 ? Allowed{1, most_irregular_layers / 2} : allowed_films;
     reader.whole_number("films", allowed, usual_films,
                         [](Mechanism& m, int value) { std::get<Stack>(m).layers.front().repeat = value; });

@@ -1,8 +1,10 @@
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "nacre/bake/geometry.h"
@@ -42,11 +44,16 @@ struct WantedColour {
     double weight = 1.0;  ///< >= 0; of the square of its difference
 };
 
+/// Free numbers, by their indices, that change places when two parts of a mechanism do: the films and the gaps of a
+/// stack.
+using FreeExchange = std::vector<std::pair<std::size_t, std::size_t>>;
+
 /// What is asked of a mechanism.
 struct MechanismSearch {
     Mechanism start;  ///< with all that is not free; free numbers may have any value
     std::vector<FreeNumber> free;
     std::vector<WantedColour> wanted;
+    std::vector<FreeExchange> exchanges{};  ///< that are worth trying
 };
 
 /// A material that nacre brings along and that is near to a free index.

@@ -14,6 +14,7 @@ struct SearchEffort {
     int table = 16384;  ///< designs that are looked at
     int valleys = 192;  ///< of these, the best that differ are followed for some steps
     int starts = 32;    ///< of these, the best are refined to the end
+    int leaps = 8;      ///< from each of the best few of them, per round, to valleys near by
     int answers = 5;    ///< of what they become, the best that differ are returned, at most
 };
 

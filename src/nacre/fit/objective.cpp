@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <utility>
 
 namespace nacre {
 namespace {
@@ -13,6 +14,8 @@ constexpr Xyz d65 = xyz_from_chromaticity(d65_chromaticity);
 // Of least squares: to see where a valley leads to, and to its bottom.
 constexpr int few_steps = 8;
 constexpr int many_steps = 40;
+// And from the bottom as it is seen coarsely to where it is.
+constexpr int last_steps = 12;
 
 std::vector<Geometry> places_of(const MechanismSearch& search) {
     std::vector<Geometry> places;
@@ -21,6 +24,12 @@ std::vector<Geometry> places_of(const MechanismSearch& search) {
 }
 
 }  // namespace
+
+bool are_near(const Design& one, const Design& other) {
+    constexpr double near = 0.04;
+    return std::equal(one.begin(), one.end(), other.begin(),
+                      [](double a, double b) { return std::abs(a - b) <= near; });
+}
 
 Objective::Objective(const MechanismSearch& search, const Light& light, const LeastSquaresSolver& solve)
     : search_(search), solve_(solve), shown_(light, places_of(search)) {
@@ -80,9 +89,8 @@ void Objective::fill(std::span<const Xyz> shown, std::span<double> residuals) co
 }
 
 // The solver knows no bounds: it moves angles, and the squares of their sines are the places.
-Rated Objective::refined(const Design& start, SearchDetail detail) {
+Rated Objective::descended(const Design& start, const SearchSampling& sampling, int steps) const {
     const std::vector<std::size_t> moving = moving_numbers();
-    const SearchSampling sampling = shown_.sampling_for(mechanism_of(start), detail);
     Design design = start;
     std::vector<Xyz> shown(shown_.count());
     const auto show = [&](std::span<const double> angles) {
@@ -101,38 +109,52 @@ Rated Objective::refined(const Design& start, SearchDetail detail) {
     };
     std::vector<double> angles;
     for (const std::size_t i : moving) angles.push_back(std::asin(std::sqrt(start[i])));
-    if (!moving.empty()) solve_(problem, angles, detail == SearchDetail::table ? few_steps : many_steps);
+    if (!moving.empty()) solve_(problem, angles, steps);
     show(angles);
     return {design, error_of(shown)};
 }
 
+Rated Objective::refined(const Design& start, SearchDetail detail) {
+    return descended(start, shown_.sampling_for(mechanism_of(start), detail),
+                     detail == SearchDetail::table ? few_steps : many_steps);
+}
+
+Rated Objective::sharpened(const Design& start) {
+    constexpr double settled_de00 = 0.02;
+    constexpr int most_times = 16;
+    const Mechanism mechanism = mechanism_of(start);
+    const int times = settled_colours(mechanism, settled_de00, most_times).times;
+    return descended(start, shown_.sampling_for(mechanism, SearchDetail::report, times), last_steps);
+}
+
 // Many periods have resonances that are far narrower than their fringes: nodes are doubled until nothing moves.
-std::vector<Xyz> Objective::settled_colours(const Mechanism& mechanism) {
-    constexpr double settled_de00 = 0.002;
-    constexpr int most_times = 64;
+Objective::Settled Objective::settled_colours(const Mechanism& mechanism, double settled_de00, int most_times) {
     const auto colours = [&](int times) {
         std::vector<Xyz> shown(shown_.count());
         shown_.at(mechanism, shown_.sampling_for(mechanism, SearchDetail::report, times), shown);
         return shown;
     };
-    std::vector<Xyz> shown = colours(1);
-    if (!samples_spectra(mechanism)) return shown;
-    for (int times = 2; times <= most_times; times *= 2) {
-        const std::vector<Xyz> finer = colours(times);
+    Settled settled{colours(1), 1};
+    if (!samples_spectra(mechanism)) return settled;
+    while (settled.times < most_times) {
+        const int times = 2 * settled.times;
+        std::vector<Xyz> finer = colours(times);
         double moved = 0.0;
-        for (std::size_t i = 0; i < shown.size(); ++i)
-            moved = std::max(moved, ciede2000(to_lab(shown[i], d65), to_lab(finer[i], d65)));
-        shown = finer;
+        for (std::size_t i = 0; i < finer.size(); ++i)
+            moved = std::max(moved, ciede2000(to_lab(settled.shown[i], d65), to_lab(finer[i], d65)));
+        settled = {std::move(finer), times};
         if (moved <= settled_de00) break;
     }
-    return shown;
+    return settled;
 }
 
 FoundMechanism Objective::judged(const Design& design) {
     FoundMechanism found;
     found.mechanism = mechanism_of(design);
     for (std::size_t i = 0; i < design.size(); ++i) found.values.push_back(search_.free[i].at(design[i]));
-    found.reached = settled_colours(found.mechanism);
+    constexpr double settled_de00 = 0.002;
+    constexpr int most_times = 64;
+    found.reached = settled_colours(found.mechanism, settled_de00, most_times).shown;
     for (std::size_t i = 0; i < found.reached.size(); ++i)
         found.de00.push_back(ciede2000(wanted_[i], to_lab(found.reached[i], d65)));
     found.error = error_of(found.reached);

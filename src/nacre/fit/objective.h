@@ -25,6 +25,9 @@ inline bool is_better(const Rated& one, const Rated& other) {
     return one.error < other.error;
 }
 
+/// Whether designs lie in one valley, so far as one can tell: each place differs by 0.04 at most.
+bool are_near(const Design& one, const Design& other);
+
 /// What a search wants to become small: the misses of designs, and how to make them smaller near by.
 class Objective {
 public:
@@ -39,11 +42,19 @@ public:
     /// Down the valley that the design lies in: a few steps for the table's detail, else to the bottom. Whole numbers
     /// stay.
     Rated refined(const Design& start, SearchDetail detail);
+    /// The same from the bottom of a valley, with as many nodes as its own spectra want: narrow resonances beguile a
+    /// search that looks between them.
+    Rated sharpened(const Design& start);
     /// All that is told of an answer, in the detail of a report.
     FoundMechanism judged(const Design& design);
 
 private:
-    std::vector<Xyz> settled_colours(const Mechanism& mechanism);
+    struct Settled {
+        std::vector<Xyz> shown;
+        int times = 1;  ///< of the report's nodes that this takes
+    };
+    Settled settled_colours(const Mechanism& mechanism, double settled_de00, int most_times);
+    Rated descended(const Design& start, const SearchSampling& sampling, int steps) const;
     double error_of(std::span<const Xyz> shown) const;
     std::vector<std::size_t> moving_numbers() const;
     void fill(std::span<const Xyz> shown, std::span<double> residuals) const;

@@ -16,15 +16,16 @@ struct SamplingRule {
     double nm_per_slice;  // of a crystal's planes
     int fewest_slices;
     int realisations;  // of uneven layers
+    int nm_per_piece;  // of a grating's colour
 };
 constexpr SamplingRule rule_of(SearchDetail detail) {
     switch (detail) {
         case SearchDetail::table:
-            return {2.0, 16, 64, 25.0, 8, 4};
+            return {2.0, 16, 64, 25.0, 8, 4, 20};
         case SearchDetail::refinement:
-            return {3.5, 32, 1024, 12.0, 16, 8};
+            return {3.5, 32, 1024, 12.0, 16, 8, 5};
         case SearchDetail::report:
-            return {8.0, 128, 1 << 17, 4.0, 64, 64};
+            return {8.0, 128, 1 << 17, 4.0, 64, 64, 1};
     }
     return {};
 }
@@ -36,26 +37,31 @@ int slices_of(const Crystal& crystal, const SamplingRule& rule) {
     return std::max(rule.fewest_slices, (static_cast<int>(wanted) + 3) / 4 * 4);
 }
 
-// Few grooves have broad lines, much of whose light is in their flanks: no boxes.
-constexpr int few_grooves = 8;
-
-Light coarse(const Light& light) {
-    constexpr int nodes = 64;
-    LightSettings settings = light.settings;
-    settings.wavelengths = std::min(nodes, settings.wavelengths.value_or(nodes));
-    return make_light(std::move(settings));
+// Of a grating's pieces, so that a deep profile is not cut up further; 1: as for a bake.
+int nm_per_piece(const Grating& grating, const LightSettings& light, const SamplingRule& rule) {
+    constexpr double most_phase_change = 0.7;
+    const double depth_nm = grating.profile == GratingProfile::given ? 0.0 : grating.depth_nm;
+    int nm = rule.nm_per_piece;
+    while (nm > 1 && nm * profile_phase_per_nm(depth_nm, light.first_nm) > most_phase_change) nm /= 2;
+    return nm;
 }
 
 }  // namespace
 
 ShownColours::ShownColours(const Light& light, std::vector<Geometry> places)
-    : light_(light), places_(std::move(places)), grating_glance_(light), coarse_(coarse(light)) {}
+    : light_(light), places_(std::move(places)) {}
 
 SearchSampling ShownColours::sampling_for(const Mechanism& mechanism, SearchDetail detail, int times) {
     SearchSampling sampling;
-    sampling.is_glance = detail == SearchDetail::table;
-    if (!samples_spectra(mechanism)) return sampling;
     const SamplingRule rule = rule_of(detail);
+    if (const auto* grating = std::get_if<Grating>(&mechanism)) {
+        const int nm = nm_per_piece(*grating, light_.settings, rule);
+        if (nm == 1) return sampling;
+        auto& pieces = pieces_[nm];
+        if (!pieces) pieces = std::make_shared<const GratingPieces>(grating_pieces(light_.weights, nm, 0.0));
+        sampling.pieces = pieces;
+    }
+    if (!samples_spectra(mechanism)) return sampling;
     SpectralSampling& spectra = sampling.spectra;
     if (const auto* crystal = std::get_if<Crystal>(&mechanism)) spectra.slices = slices_of(*crystal, rule);
     if (is_irregular(mechanism)) spectra.realisations = rule.realisations;
@@ -75,14 +81,10 @@ SearchSampling ShownColours::sampling_for(const Mechanism& mechanism, SearchDeta
 }
 
 void ShownColours::at(const Mechanism& mechanism, const SearchSampling& sampling, std::span<Xyz> shown) const {
-    const auto* grating = sampling.is_glance ? std::get_if<Grating>(&mechanism) : nullptr;
-    if (grating != nullptr && grating->grooves > few_grooves) {
-        for (std::size_t i = 0; i < places_.size(); ++i)
-            shown[i] = adapt(light_.adaptation, grating_glance_.at(*grating, places_[i].grating_u));
-        return;
-    }
-    PreparedColour prepared =
-        prepare_colour(mechanism, sampling.spectra, grating != nullptr ? coarse_ : light_, Integral::exact);
+    const auto* grating = std::get_if<Grating>(&mechanism);
+    PreparedColour prepared = grating != nullptr && sampling.pieces
+                                  ? GratingColour(*grating, light_, sampling.pieces)
+                                  : prepare_colour(mechanism, sampling.spectra, light_, Integral::exact);
     Work work;
     for (std::size_t i = 0; i < places_.size(); ++i)
         shown[i] = adapt(light_.adaptation, colour_at(prepared, places_[i], work));

@@ -5,10 +5,10 @@
 #include <span>
 #include <vector>
 
+#include "nacre/bake/grating_pieces.h"
 #include "nacre/bake/light.h"
 #include "nacre/bake/mechanism_search.h"
 #include "nacre/bake/spectral_sampling.h"
-#include "nacre/fit/grating_glance.h"
 
 namespace nacre {
 
@@ -19,7 +19,7 @@ enum class SearchDetail { table, refinement, report };
 /// What computes the colours of a mechanism, and of those that differ little from it.
 struct SearchSampling {
     SpectralSampling spectra;
-    bool is_glance = false;  ///< of gratings: lines as boxes
+    std::shared_ptr<const GratingPieces> pieces;  ///< of gratings; null: as for a bake
 };
 
 /// The colours that mechanisms show at a few given places.
@@ -38,8 +38,7 @@ private:
     const Light& light_;
     std::vector<Geometry> places_;
     std::map<int, std::shared_ptr<const SpectralNodes>> nodes_;
-    GratingGlance grating_glance_;
-    Light coarse_;  // of few nodes, for broad lines
+    std::map<int, std::shared_ptr<const GratingPieces>> pieces_;  // by their nanometres
 };
 
 }  // namespace nacre

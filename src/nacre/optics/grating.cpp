@@ -33,12 +33,12 @@ double given_efficiency(const std::vector<double>& given, int order) {
     return std::max(rest, 0.0);
 }
 
-// @param bright  sin^2(phi / 2): how far top and bottom are out of step
-double lamellar_efficiency(double land, double bright, int order) {
-    if (order == 0) return 1.0 - 4.0 * land * (1.0 - land) * bright;
-    // m D is reduced before the sine, so that even orders of equal land and groove are dark to the last bit.
+// (sin(pi m D) / (pi m))^2, or D (1 - D) for order 0. m D is reduced before the sine, so that even orders of equal land
+// and groove are dark to the last bit.
+double lamellar_share(double land, int order) {
+    if (order == 0) return land * (1.0 - land);
     const double turns = order * land;
-    return 4.0 * bright * square(std::sin(pi * (turns - std::nearbyint(turns))) / (pi * order));
+    return square(std::sin(pi * (turns - std::nearbyint(turns))) / (pi * order));
 }
 
 // J_m(z)^2 where J_0 is 1 to the last bit: only the first term of the series is left.
@@ -114,26 +114,42 @@ double coat_reflectance(const Grating& grating, double wavelength_nm) {
     return std::norm((n - 1.0) / (n + 1.0));
 }
 
-void grating_efficiencies(const Grating& grating, std::span<const int> orders, double wavelength_nm,
-                          std::span<double> efficiency) {
+std::vector<double> order_shares(const Grating& grating, std::span<const int> orders) {
+    std::vector<double> shares;
+    for (const int order : orders) {
+        if (grating.profile == GratingProfile::given) shares.push_back(given_efficiency(grating.efficiency, order));
+        if (grating.profile == GratingProfile::lamellar) shares.push_back(lamellar_share(grating.land, order));
+    }
+    return shares;
+}
+
+void grating_efficiencies(const Grating& grating, std::span<const int> orders, std::span<const double> shares,
+                          double wavelength_nm, std::span<double> efficiency) {
     assert(wavelength_nm > 0.0 && grating.depth_nm >= 0.0 && efficiency.size() == orders.size());
+    assert(grating.profile == GratingProfile::sinusoidal || shares.size() == orders.size());
     if (orders.empty()) return;
     const double half_phase = 2.0 * pi * grating.depth_nm / wavelength_nm;
     switch (grating.profile) {
         case GratingProfile::given:
-            for (std::size_t i = 0; i < orders.size(); ++i)
-                efficiency[i] = given_efficiency(grating.efficiency, orders[i]);
+            std::copy(shares.begin(), shares.end(), efficiency.begin());
             break;
-        case GratingProfile::lamellar:
+        case GratingProfile::lamellar: {
+            const double bright = square(std::sin(half_phase));  // how far top and bottom are out of step
             for (std::size_t i = 0; i < orders.size(); ++i)
-                efficiency[i] = lamellar_efficiency(grating.land, square(std::sin(half_phase)), orders[i]);
+                efficiency[i] = orders[i] == 0 ? 1.0 - 4.0 * shares[i] * bright : 4.0 * bright * shares[i];
             break;
+        }
         case GratingProfile::sinusoidal:
             bessel_squares(half_phase, orders, efficiency);
             break;
     }
     const double coat = coat_reflectance(grating, wavelength_nm);
     for (double& value : efficiency) value *= coat;
+}
+
+void grating_efficiencies(const Grating& grating, std::span<const int> orders, double wavelength_nm,
+                          std::span<double> efficiency) {
+    grating_efficiencies(grating, orders, order_shares(grating, orders), wavelength_nm, efficiency);
 }
 
 double grating_efficiency(const Grating& grating, int order, double wavelength_nm) {

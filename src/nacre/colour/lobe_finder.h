@@ -36,7 +36,7 @@ inline constexpr double exact_lobe_de00 = 0.01;
 /// Of all lobes that have the colour's chromaticity and are not too bright the widest is taken, because it moves the
 /// least (LobeRoots). Where none is, the nearest in CIEDE2000 (NearestLobe).
 /// Deterministic; immutable once made, so that threads may share it. A colour that a lobe has takes some 2
-/// microseconds, another some 10.
+/// microseconds, another some 15.
 class LobeFinder {
 public:
     /// Takes some milliseconds. @param weights,moments  have to outlive this

@@ -20,8 +20,7 @@ double spread_at(double index, std::size_t count) {
 }  // namespace
 
 NearestLobe::NearestLobe(const LobeColours& colours) : colours_(colours) {
-    constexpr std::size_t count = peaks * spreads;
-    for (std::vector<float>* ratios : {&x_, &y_, &z_, &per_y_}) ratios->assign(count + RootColours::padding, 1.0F);
+    for (std::vector<float>* ratios : {&x_, &y_, &z_, &per_y_}) ratios->assign(table_size, 1.0F);
     for (std::size_t i = 0; i < peaks; ++i) {
         const double along = static_cast<double>(i) / (peaks - 1);
         const double peak_nm = std::lerp(colours.first_nm(), colours.last_nm(), along);
@@ -38,7 +37,7 @@ NearestLobe::NearestLobe(const LobeColours& colours) : colours_(colours) {
 
 // By the parabola through three widths.
 std::size_t NearestLobe::find_floors(const float* square, Floors& floors) const {
-    std::size_t count = 0;
+    std::size_t found = 0;
     for (std::size_t i = 0; i < peaks; ++i) {
         const float* row = square + i * spreads;
         for (std::size_t j = 0; j < spreads; ++j) {
@@ -51,14 +50,14 @@ std::size_t NearestLobe::find_floors(const float* square, Floors& floors) const 
                 floor.square = std::max(0.0, floor.square - 0.5 * slope * slope / bend);
                 floor.spread_index -= slope / bend;
             }
-            floors[count++] = floor;
+            floors[found++] = floor;
         }
     }
-    return count;
+    return found;
 }
 
 // A valley's deepest floor is below those of the peaks beside it.
-bool NearestLobe::is_deepest(const Floors& floors, std::size_t count, std::size_t k) {
+bool NearestLobe::is_deepest(const Floors& floors, std::size_t found, std::size_t k) {
     const Floor& floor = floors[k];
     const auto is_below = [&](const Floor& other) {
         constexpr double same_spread = 0.08;
@@ -67,20 +66,21 @@ bool NearestLobe::is_deepest(const Floors& floors, std::size_t count, std::size_
     };
     for (std::size_t i = k; i-- > 0 && floors[i].peak_index + 1 >= floor.peak_index;)
         if (is_below(floors[i])) return false;
-    for (std::size_t i = k + 1; i < count && floors[i].peak_index <= floor.peak_index + 1; ++i)
+    for (std::size_t i = k + 1; i < found && floors[i].peak_index <= floor.peak_index + 1; ++i)
         if (is_below(floors[i])) return false;
     return true;
 }
 
-// The deepest floors as lobes that are as light as the target, the deepest first.
-std::size_t NearestLobe::seeds_in(const Lab& target, const Floors& floors, std::size_t count, Seeds& seeds) const {
-    std::array<std::size_t, peaks * spreads> valleys;
-    std::size_t found = 0;
-    for (std::size_t i = 0; i < count; ++i)
-        if (is_deepest(floors, count, i)) valleys[found++] = i;
-    const std::size_t taken = std::min(found, seeds.size());
+// The deepest floors as lobes, the deepest first.
+std::size_t NearestLobe::seeds_in(const Lab& target, const TableView& view, const Floors& floors, std::size_t found,
+                                  Seeds& seeds) const {
+    std::array<std::size_t, count> valleys;
+    std::size_t valley_count = 0;
+    for (std::size_t i = 0; i < found; ++i)
+        if (is_deepest(floors, found, i)) valleys[valley_count++] = i;
+    const std::size_t taken = std::min(valley_count, seeds.size());
     std::partial_sort(valleys.begin(), valleys.begin() + static_cast<std::ptrdiff_t>(taken),
-                      valleys.begin() + static_cast<std::ptrdiff_t>(found),
+                      valleys.begin() + static_cast<std::ptrdiff_t>(valley_count),
                       [&](std::size_t a, std::size_t b) { return floors[a].square < floors[b].square; });
     for (std::size_t i = 0; i < taken; ++i) {
         const Floor& floor = floors[valleys[i]];
@@ -88,31 +88,124 @@ std::size_t NearestLobe::seeds_in(const Lab& target, const Floors& floors, std::
         const LobePlace place{std::lerp(colours_.first_nm(), colours_.last_nm(), along),
                               spread_at(floor.spread_index, spreads)};
         seeds[i] = with_lightness(colours_, target, place);
+        const auto node = floor.peak_index * spreads + static_cast<std::size_t>(std::lround(floor.spread_index));
+        seeds[i].root = std::max(seeds[i].root * view.share[node], DimmedLobe::least_root);
         seeds[i].square = floor.square;
     }
     return taken;
 }
 
-DimmedLobe NearestLobe::find(const Lab& target) const {
-    constexpr std::size_t count = peaks * spreads;
+// Squares of the differences to the table's lobes as light as the target; to dark ones, or to darker lobes if those are
+// nearer.
+void NearestLobe::look_over_table(const Lab& target, TableView& view) const {
     const auto target_root = static_cast<float>(root_of_lightness(target.l));
-    std::array<float, count + RootColours::padding> factor, square;
-    for (std::size_t i = 0; i < factor.size(); ++i) factor[i] = std::clamp(target_root * per_y_[i], least_root, 1.0F);
-    many_differences(target, {x_.data(), y_.data(), z_.data(), factor.data(), count}, square.data());
-    Floors floors;
-    const std::size_t floor_count = find_floors(square.data(), floors);
-    Seeds seeds;
-    const std::size_t seed_count = seeds_in(target, floors, floor_count, seeds);
+    std::array<float, table_size> even, factor, square;
+    for (std::size_t i = 0; i < even.size(); ++i) even[i] = std::clamp(target_root * per_y_[i], least_root, 1.0F);
+    const RootColours lobes{x_.data(), y_.data(), z_.data(), even.data(), count};
+    many_differences(target, lobes, view.square.data());
+    view.share.fill(1.0F);
+    // There CIEDE2000 counts lightness little, and what is as light as a greyish colour is far too colourful.
+    constexpr double dark = 35.0;
+    if (target.l >= dark) return;
+    for (const float share : {0.75F, 0.5F}) {
+        for (std::size_t i = 0; i < factor.size(); ++i) factor[i] = std::max(share * even[i], least_root);
+        many_differences(target, {x_.data(), y_.data(), z_.data(), factor.data(), count}, square.data());
+        for (std::size_t i = 0; i < count; ++i) {
+            const bool is_nearer = square[i] < view.square[i];
+            view.square[i] = is_nearer ? square[i] : view.square[i];
+            view.share[i] = is_nearer ? share : view.share[i];
+        }
+    }
+}
 
+// Of a lobe one of whose ends is out of sight only the other is seen: all that end there are almost alike, and walks
+// come to rest anywhere along that valley. So it is looked at from its ends, too.
+void NearestLobe::add_along_valley(const Lab& target, const DimmedLobe& from, Candidates& candidates) const {
+    constexpr double first_seen_nm = 400.0, last_seen_nm = 700.0;
+    constexpr double bright = 0.9;  // of reds, dents are only seen there
+    const double half_nm = 0.5 * from.place.width_nm();
+    const double short_end_nm = from.place.peak_nm - half_nm, long_end_nm = from.place.peak_nm + half_nm;
+    const bool is_violet = short_end_nm < first_seen_nm && from.place.peak_nm < 450.0;
+    const bool is_red = long_end_nm > last_seen_nm && from.place.peak_nm > 650.0 && from.height() > bright;
+    if (is_violet == is_red) return;
+    struct Start {
+        double peak_nm, wider_nm, root_share;
+    };
+    constexpr std::array<Start, 3> violet{{{360.0, 0.0, 1.0}, {430.0, 0.0, 1.0}, {360.0, 120.0, 0.88}}};
+    constexpr std::array<Start, 3> red{{{830.0, 0.0, 1.0}, {720.0, 0.0, 1.0}, {830.0, 150.0, 0.88}}};
+    for (const Start& start : is_violet ? violet : red) {
+        const double reach_nm = is_violet ? long_end_nm - start.peak_nm : start.peak_nm - short_end_nm;
+        const double width_nm = 2.0 * std::max(reach_nm, 0.0) + start.wider_nm;
+        const LobePlace place = colours_.clamped({start.peak_nm, std::sqrt(width_nm / LobePlace::widest_nm)});
+        DimmedLobe lobe = with_lightness(colours_, target, place);
+        lobe.root = std::max(lobe.root * start.root_share, DimmedLobe::least_root);
+        constexpr double hopeless = 3.0;
+        if (fast_square(target, lobe) > hopeless * from.square) continue;
+        candidates.lobes[candidates.count++] = nearest_downhill(colours_, target, lobe, from.square);
+    }
+}
+
+double NearestLobe::fast_square(const Lab& target, const DimmedLobe& lobe) const {
+    const Xyz unit = colours_.fast(lobe.place);
+    const double height = lobe.height();
+    const double de00 = ciede2000(target, to_lab({height * unit.x, height * unit.y, height * unit.z}, white));
+    return de00 * de00;
+}
+
+// The nearest of them by exact colours. Walks look at fast ones, next to opposite hues from the side that they are on:
+// what they promise may not hold.
+DimmedLobe NearestLobe::nearest_of(const Lab& target, Candidates& candidates) const {
+    const auto begin = candidates.lobes.begin(), end = begin + static_cast<std::ptrdiff_t>(candidates.count);
+    const auto is_nearer = [](const DimmedLobe& a, const DimmedLobe& b) { return a.square < b.square; };
+    constexpr double kept = 1.02, rounding = 1e-4;
+    for (std::size_t look = 0;; ++look) {
+        DimmedLobe& nearest = *std::min_element(begin, end, is_nearer);
+        const double promised = nearest.square;
+        nearest.square = exact_square(target, nearest);
+        if (nearest.square <= kept * promised + rounding || look >= 2 * candidates.count) return nearest;
+        // A little beside it hues may be on the right side.
+        DimmedLobe best = nearest;
+        for (const double nm : {-8.0, -2.0, -0.5, 0.5, 2.0, 8.0}) {
+            for (const bool is_peak : {true, false}) {
+                const double width_nm = std::max(nearest.place.width_nm() + (is_peak ? 0.0 : 2.0 * nm), 0.0);
+                DimmedLobe beside = nearest;
+                beside.place = colours_.clamped(
+                    {nearest.place.peak_nm + (is_peak ? nm : 0.0), std::sqrt(width_nm / LobePlace::widest_nm)});
+                beside.square = exact_square(target, beside);
+                if (is_nearer(beside, best)) best = beside;
+            }
+        }
+        nearest = best;
+    }
+}
+
+double NearestLobe::exact_square(const Lab& target, const DimmedLobe& lobe) const {
+    const Xyz unit = colours_.exact(lobe.place);
+    const double height = lobe.height();
+    const double de00 = ciede2000(target, to_lab({height * unit.x, height * unit.y, height * unit.z}, white));
+    return de00 * de00;
+}
+
+DimmedLobe NearestLobe::find(const Lab& target) const {
+    TableView view;
+    look_over_table(target, view);
+    Floors floors;
+    const std::size_t floor_count = find_floors(view.square.data(), floors);
+    Seeds seeds;
+    const std::size_t seed_count = seeds_in(target, view, floors, floor_count, seeds);
+
+    Candidates candidates;
     DimmedLobe best;
     best.square = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < seed_count; ++i) {
         constexpr double hopeless = 2.25;  // 1.5 times the difference
         if (seeds[i].square > hopeless * best.square) break;
         const DimmedLobe candidate = nearest_downhill(colours_, target, seeds[i], best.square);
+        candidates.lobes[candidates.count++] = candidate;
         if (candidate.square < best.square) best = candidate;
     }
-    return best;
+    add_along_valley(target, best, candidates);
+    return nearest_of(target, candidates);
 }
 
 }  // namespace nacre

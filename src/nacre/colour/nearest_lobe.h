@@ -6,6 +6,7 @@
 
 #include "nacre/colour/difference.h"
 #include "nacre/colour/lobe_colours.h"
+#include "nacre/colour/many_differences.h"
 #include "nacre/colour/nearest_downhill.h"
 
 namespace nacre {
@@ -19,13 +20,21 @@ class NearestLobe {
 public:
     explicit NearestLobe(const LobeColours& colours);
 
-    /// Accuracy: for 99 in 100 colours CIEDE2000 0.05 beside an exhaustive search, else 0.5; see
+    /// Accuracy: for 999 in 1000 colours CIEDE2000 0.05 beside an exhaustive search, else 0.4; see
     /// tests/nacre/colour/lobe_finder_test.cpp.
     DimmedLobe find(const Lab& target) const;
 
 private:
     static constexpr std::size_t peaks = 30;
     static constexpr std::size_t spreads = 16;
+    static constexpr std::size_t count = peaks * spreads;
+    static constexpr std::size_t table_size = count + RootColours::padding;
+
+    // The table as a target sees it.
+    struct TableView {
+        std::array<float, table_size> square;  // of the difference
+        std::array<float, table_size> share;   // of the root of the height that makes a lobe as light as the target
+    };
 
     // The least difference along the widths of one peak.
     struct Floor {
@@ -33,11 +42,22 @@ private:
         double spread_index;
         std::size_t peak_index;
     };
-    using Floors = std::array<Floor, peaks * spreads>;
+    using Floors = std::array<Floor, count>;
     using Seeds = std::array<DimmedLobe, 6>;
-    static bool is_deepest(const Floors& floors, std::size_t count, std::size_t k);
-    std::size_t seeds_in(const Lab& target, const Floors& floors, std::size_t count, Seeds& seeds) const;
+    // Where walks ended.
+    struct Candidates {
+        std::array<DimmedLobe, 9> lobes;
+        std::size_t count = 0;
+    };
+    static bool is_deepest(const Floors& floors, std::size_t found, std::size_t k);
+    void look_over_table(const Lab& target, TableView& view) const;
+    std::size_t seeds_in(const Lab& target, const TableView& view, const Floors& floors, std::size_t found,
+                         Seeds& seeds) const;
     std::size_t find_floors(const float* square, Floors& floors) const;
+    void add_along_valley(const Lab& target, const DimmedLobe& from, Candidates& candidates) const;
+    DimmedLobe nearest_of(const Lab& target, Candidates& candidates) const;
+    double fast_square(const Lab& target, const DimmedLobe& lobe) const;
+    double exact_square(const Lab& target, const DimmedLobe& lobe) const;
 
     LobeColours colours_;
     std::vector<float> x_, y_, z_;  // cube roots of ratios to white, spreads side by side

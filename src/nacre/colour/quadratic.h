@@ -14,7 +14,7 @@ struct Quadratic {
     double at(const Vector& v) const;
 };
 
-/// Solves matrix * result = right by Cholesky's method.
+/// Solves matrix * result = right.
 /// @param matrix  symmetric @return false if it is not positive definite: then the result means nothing
 bool solve_positive(const std::array<Quadratic::Vector, 3>& matrix, const Quadratic::Vector& right,
                     Quadratic::Vector& result);

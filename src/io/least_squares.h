@@ -1,6 +1,6 @@
 #pragma once
 
-#include "nacre/fit/least_squares.h"
+#include "nacre/least_squares.h"
 
 namespace nacre {
 

@@ -6,6 +6,7 @@
 #include <optional>
 #include <utility>
 
+#include "io/least_squares.h"
 #include "io/mechanism_finder.h"
 #include "io/scene_file.h"
 #include "nacre/error.h"
@@ -67,6 +68,7 @@ SceneFiles scene_files_with_colours(const std::string& scene_path, const std::st
                                   const ColourSettings& settings) {
         return colours->xyz(colour, space, where, settings);
     };
+    files.least_squares = least_squares_solver();
     files.find_mechanisms = [after_step](const MechanismSearch& search, const Light& light) {
         return find_with_materials(search, light, after_step);
     };

@@ -8,6 +8,7 @@
 #include <random>
 #include <vector>
 
+#include "io/least_squares.h"
 #include "nacre/accuracy/rivals.h"
 #include "nacre/bake/light.h"
 #include "nacre/colour/difference.h"
@@ -112,7 +113,7 @@ const Light& light() {
 }
 
 const LobeFinder& finder() {
-    static const LobeFinder result(light().weights, light().moments, light().adaptation);
+    static const LobeFinder result(light().weights, light().moments, light().adaptation, least_squares_solver());
     return result;
 }
 
@@ -193,7 +194,8 @@ void colour_to_lobe_of_a_table(benchmark::State& state) {
 }
 
 void lobe_finder_set_up(benchmark::State& state) {
-    for (auto _ : state) benchmark::DoNotOptimize(LobeFinder(light().weights, light().moments, light().adaptation));
+    for (auto _ : state)
+        benchmark::DoNotOptimize(LobeFinder(light().weights, light().moments, light().adaptation, nullptr));
 }
 
 BENCHMARK(fast);

@@ -193,7 +193,7 @@ private:
     // Made when the first colour is picked.
     const LobeFinder& lobe_finder() {
         const Light& light = *plan_.light;
-        if (!lobe_finder_) lobe_finder_.emplace(light.weights, light.moments, light.adaptation);
+        if (!lobe_finder_) lobe_finder_.emplace(light.weights, light.moments, light.adaptation, files_.least_squares);
         return *lobe_finder_;
     }
 

@@ -13,6 +13,7 @@
 #include "nacre/bake/mechanism.h"
 #include "nacre/bake/scene_context.h"
 #include "nacre/bake/spectral_sampling.h"
+#include "nacre/least_squares.h"
 
 namespace nacre {
 
@@ -110,6 +111,8 @@ struct SceneFiles {
     /// A picked colour's XYZ, by the scene's OpenColorIO config; empty: colours cannot be read here.
     std::function<Xyz(const Rgb& colour, const std::string& space, const Where& where, const ColourSettings& settings)>
         read_colour{};
+    /// Of a library; empty: see LobeFinder.
+    LeastSquaresSolver least_squares{};
     /// Looks for mechanisms that show what picks ask for, best first, at least one (see fit/find_mechanism.h); empty:
     /// such picks cannot be read here.
     std::function<std::vector<FoundMechanism>(const MechanismSearch& search, const Light& light)> find_mechanisms{};

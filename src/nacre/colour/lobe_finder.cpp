@@ -1,12 +1,12 @@
 #include "nacre/colour/lobe_finder.h"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <cmath>
 #include <cstddef>
-#include <limits>
-
-#include "nacre/colour/levenberg_marquardt.h"
+#include <span>
+#include <utility>
 
 namespace nacre {
 namespace {
@@ -18,8 +18,9 @@ constexpr double is_near = 0.5;
 
 }  // namespace
 
-LobeFinder::LobeFinder(const TristimulusWeights& weights, const LobeMoments& moments, const glm::dmat3& adaptation)
-    : colours_(weights, moments, adaptation), roots_(colours_), nearest_(colours_) {}
+LobeFinder::LobeFinder(const TristimulusWeights& weights, const LobeMoments& moments, const glm::dmat3& adaptation,
+                       LeastSquaresSolver solve)
+    : colours_(weights, moments, adaptation), roots_(colours_), nearest_(colours_), solve_(std::move(solve)) {}
 
 LobeMatch LobeFinder::match(const Lab& target, LobePlace place, double height) const {
     const Xyz unit = colours_.exact(place);
@@ -40,21 +41,28 @@ bool LobeFinder::has_widest(const Xyz& colour, const Lab& target, LobeRoots::Fou
     });
 }
 
-// Levenberg and Marquardt's method with exact colours: what it comes near it reaches to as many digits as they have.
+// Least squares with exact colours: what they come near they reach to as many digits as they have.
 LobeMatch LobeFinder::polished(const Lab& target, const DimmedLobe& lobe) const {
-    constexpr LeastSquares::Vector unit{10.0, 0.05, 0.05};  // count about alike
-    LeastSquares squares;
-    squares.residuals = [&](const LeastSquares::Vector& v) {
-        const Xyz colour = colours_.exact({v[0] * unit[0], v[1] * unit[1]});
-        const double root = v[2] * unit[2], height = root * root * root;
-        return ciede2000_parts(target, to_lab({height * colour.x, height * colour.y, height * colour.z}, white));
+    constexpr std::array unit{10.0, 0.05, 0.05};  // of peak, spread and root of the height: they count about alike
+    const auto lobe_at = [&](std::span<const double> v) {
+        return DimmedLobe{colours_.clamped({v[0] * unit[0], v[1] * unit[1]}), std::clamp(v[2] * unit[2], 0.0, 1.0)};
     };
-    squares.low = {colours_.first_nm() / unit[0], LobePlace::narrowest_spread / unit[1], 0.0};
-    squares.high = {colours_.last_nm() / unit[0], 1.0 / unit[1], 1.0 / unit[2]};
-    constexpr double enough = 1e-6;
-    const auto v =
-        squares.from({lobe.place.peak_nm / unit[0], lobe.place.spread / unit[1], lobe.root / unit[2]}, enough);
-    return match(target, {v[0] * unit[0], v[1] * unit[1]}, std::pow(v[2] * unit[2], 3.0));
+    LeastSquares problem;
+    problem.parameters = 3;
+    problem.residuals = 3;
+    problem.evaluate = [&](std::span<const double> v, std::span<double> residuals) {
+        const DimmedLobe there = lobe_at(v);
+        const Xyz colour = colours_.exact(there.place);
+        const double height = there.height();
+        const auto parts =
+            ciede2000_parts(target, to_lab({height * colour.x, height * colour.y, height * colour.z}, white));
+        std::copy(parts.begin(), parts.end(), residuals.begin());
+    };
+    constexpr int most_steps = 60;
+    std::array v{lobe.place.peak_nm / unit[0], lobe.place.spread / unit[1], lobe.root / unit[2]};
+    solve_(problem, v, most_steps);
+    const DimmedLobe found = lobe_at(v);
+    return match(target, found.place, found.height());
 }
 
 // Where all lobes of some widths, or beyond some wavelength, have one chromaticity, it says nothing about either; and
@@ -87,7 +95,7 @@ LobeMatch LobeFinder::find(Xyz colour) const {
     if (has_widest(colour, target, roots, best)) return best;
     const DimmedLobe nearest = nearest_.find(target);
     best = match(target, nearest.place, nearest.height());
-    if (best.de00 > exact_lobe_de00 && best.de00 < is_near && has_chromaticity) {
+    if (best.de00 > exact_lobe_de00 && best.de00 < is_near && has_chromaticity && solve_) {
         const LobeMatch candidate = exact_if_any(colour, target, roots, nearest);
         if (candidate.de00 < best.de00) best = candidate;
     }

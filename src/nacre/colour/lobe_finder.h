@@ -9,6 +9,7 @@
 #include "nacre/colour/lobe_roots.h"
 #include "nacre/colour/nearest_lobe.h"
 #include "nacre/colour/tristimulus.h"
+#include "nacre/least_squares.h"
 
 namespace nacre {
 
@@ -41,7 +42,10 @@ class LobeFinder {
 public:
     /// Takes some milliseconds. @param weights,moments  have to outlive this
     /// @param adaptation  what the weights' XYZ are multiplied with so as to be relative to D65
-    LobeFinder(const TristimulusWeights& weights, const LobeMoments& moments, const glm::dmat3& adaptation);
+    /// @param solve       brings bands that nearly have a colour to it; none: some colours next to the spectrum's locus
+    /// then count as missed, by up to 1
+    LobeFinder(const TristimulusWeights& weights, const LobeMoments& moments, const glm::dmat3& adaptation,
+               LeastSquaresSolver solve);
 
     /// @param colour  relative to D65, Y = 1 for the perfect reflector; finite. Black has width 0
     LobeMatch find(Xyz colour) const;
@@ -56,6 +60,7 @@ private:
     LobeColours colours_;
     LobeRoots roots_;
     NearestLobe nearest_;
+    LeastSquaresSolver solve_;
 };
 
 }  // namespace nacre

@@ -21,7 +21,7 @@ public:
     explicit NearestLobe(const LobeColours& colours);
 
     /// Accuracy: for 999 in 1000 colours CIEDE2000 0.05 beside an exhaustive search, else 0.4; see
-    /// tests/nacre/colour/lobe_finder_test.cpp.
+    /// tests/io/lobe_finder_test.cpp.
     DimmedLobe find(const Lab& target) const;
 
 private:

@@ -31,12 +31,11 @@ public:
         for (std::size_t i = 0; i < std::min(answers.size(), most_polished); ++i) neighbours.polish(answers[i]);
         std::stable_sort(answers.begin(), answers.end(), is_better);
         neighbours.wander(answers, effort_.leaps);
+        answers = neighbours.best_apart(answers, static_cast<std::size_t>(enough_per_answer * effort_.answers));
         for (std::size_t i = 0; i < std::min(answers.size(), most_sharpened); ++i) {
             answers[i] = objective_.sharpened(answers[i].design);
             step();
         }
-        const auto most_judged = static_cast<std::size_t>(enough_per_answer * effort_.answers);
-        if (answers.size() > most_judged) answers.resize(most_judged);
         std::vector<FoundMechanism> found;
         for (const Rated& answer : answers) found.push_back(objective_.judged(answer.design));
         return ranked(std::move(found));

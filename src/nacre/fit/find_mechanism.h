@@ -5,7 +5,7 @@
 
 #include "nacre/bake/light.h"
 #include "nacre/bake/mechanism_search.h"
-#include "nacre/fit/least_squares.h"
+#include "nacre/least_squares.h"
 
 namespace nacre {
 

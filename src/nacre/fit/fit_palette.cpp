@@ -55,7 +55,8 @@ std::vector<std::size_t> spread_angles(const std::vector<double>& angles_deg, st
 
 class PaletteFitter {
 public:
-    PaletteFitter(const MeasuredSpectra& spectra, std::size_t picks, const Light& light)
+    PaletteFitter(const MeasuredSpectra& spectra, std::size_t picks, const Light& light,
+                  const LeastSquaresSolver& solve)
         : spectra_(spectra), light_(light) {
         const MeasuredColour colour(spectra, light);
         for (std::size_t angle = 0; angle < spectra.angle_deg.size(); ++angle) {
@@ -64,7 +65,7 @@ public:
             labs_.push_back(to_lab(colours_.back(), d65));
             peaks_nm_.push_back(measured_peak_nm(spectra, angle));
         }
-        start(picks);
+        start(picks, solve);
     }
 
     PaletteFit fit(const LeastSquaresSolver& solve) {
@@ -85,8 +86,8 @@ public:
 private:
     static constexpr std::size_t residuals_per_angle = 4;
 
-    void start(std::size_t picks) {
-        const LobeFinder finder(light_.weights, light_.moments, light_.adaptation);
+    void start(std::size_t picks, const LeastSquaresSolver& solve) {
+        const LobeFinder finder(light_.weights, light_.moments, light_.adaptation, solve);
         for (const std::size_t angle : spread_angles(spectra_.angle_deg, picks)) {
             const LobeMatch lobe = finder.find(colours_[angle]);
             palette_.picks.push_back({spectra_.angle_deg[angle], {lobe.peak_nm, lobe.width_nm, lobe.height}});
@@ -183,7 +184,7 @@ double measured_peak_nm(const MeasuredSpectra& spectra, std::size_t angle) {
 
 PaletteFit fit_palette(const MeasuredSpectra& spectra, std::size_t picks, const Light& light,
                        const LeastSquaresSolver& solve) {
-    return PaletteFitter(spectra, picks, light).fit(solve);
+    return PaletteFitter(spectra, picks, light, solve).fit(solve);
 }
 
 }  // namespace nacre

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "nacre/bake/light.h"
-#include "nacre/fit/least_squares.h"
+#include "nacre/least_squares.h"
 #include "nacre/optics/measured_spectra.h"
 #include "nacre/optics/palette.h"
 

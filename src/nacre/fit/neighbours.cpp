@@ -56,7 +56,6 @@ Rated Neighbours::best_neighbour(const Rated& answer) {
     return best;
 }
 
-// No two of them in one valley.
 std::vector<Rated> Neighbours::best_apart(const std::vector<Rated>& sorted, std::size_t count) const {
     std::vector<Rated> best;
     for (const Rated& candidate : sorted) {

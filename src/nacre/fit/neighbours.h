@@ -23,9 +23,11 @@ public:
     /// lie together. @param answers  the best first, also on return @param leaps  per answer and round
     void wander(std::vector<Rated>& answers, int leaps);
 
+    /// The first so many of which no two lie in one valley.
+    std::vector<Rated> best_apart(const std::vector<Rated>& sorted, std::size_t count) const;
+
 private:
     Rated best_neighbour(const Rated& answer);
-    std::vector<Rated> best_apart(const std::vector<Rated>& sorted, std::size_t count) const;
     Design leap(const Design& from, int number, double length) const;
     void step() const {
         if (after_step_) after_step_();

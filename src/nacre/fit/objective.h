@@ -6,8 +6,8 @@
 #include "nacre/bake/light.h"
 #include "nacre/bake/mechanism_search.h"
 #include "nacre/colour/difference.h"
-#include "nacre/fit/least_squares.h"
 #include "nacre/fit/shown_colours.h"
+#include "nacre/least_squares.h"
 
 namespace nacre {
 

@@ -6,8 +6,6 @@
 #include <cstddef>
 #include <random>
 
-#include "nacre/colour/levenberg_marquardt.h"
-
 namespace nacre {
 namespace {
 
@@ -53,28 +51,6 @@ TEST(LeastInBox, NeverGoesUpNorOut) {
         EXPECT_LE(quadratic.at(found), quadratic.at(start) + 1e-12);
         for (const double value : found) EXPECT_LE(std::abs(value), 1.0);
     }
-}
-
-TEST(LeastSquares, FindsTheRootOfABentSystem) {
-    LeastSquares squares;
-    squares.low = {-5.0, -5.0, -5.0};
-    squares.high = {5.0, 5.0, 5.0};
-    squares.residuals = [](const Vector& v) {
-        return Vector{v[0] * v[0] + v[1] - 3.0, v[1] * v[2] - 2.0, v[0] + v[1] + v[2] - 4.0};
-    };
-    const Vector found = squares.from({0.5, 0.5, 0.5}, 1e-20);
-    for (const double residual : squares.residuals(found)) EXPECT_NEAR(residual, 0.0, 1e-8);
-}
-
-TEST(LeastSquares, StaysInItsBox) {
-    LeastSquares squares;
-    squares.low = {0.0, 0.0, 0.0};
-    squares.high = {1.0, 1.0, 1.0};
-    squares.residuals = [](const Vector& v) { return Vector{v[0] - 2.0, v[1] + 1.0, v[2] - 0.5}; };
-    const Vector found = squares.from({0.5, 0.5, 0.0}, 0.0);
-    EXPECT_NEAR(found[0], 1.0, 1e-9);
-    EXPECT_NEAR(found[1], 0.0, 1e-9);
-    EXPECT_NEAR(found[2], 0.5, 1e-6);
 }
 
 }  // namespace

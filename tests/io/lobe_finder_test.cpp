@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "io/least_squares.h"
 #include "nacre/bake/light.h"
 #include "nacre/colour/illuminant.h"
 #include "nacre/colour/many_differences.h"
@@ -31,7 +32,8 @@ const Light& daylight() {
 }
 
 const LobeFinder& finder() {
-    static const LobeFinder finder(daylight().weights, daylight().moments, daylight().adaptation);
+    static const LobeFinder finder(daylight().weights, daylight().moments, daylight().adaptation,
+                                   least_squares_solver());
     return finder;
 }
 
@@ -71,7 +73,7 @@ class LobeFinderUnder : public testing::TestWithParam<const char*> {};
 
 TEST_P(LobeFinderUnder, TakesRandomLobesBackToTheirColour) {
     const Light light = light_of(GetParam());
-    const LobeFinder under(light.weights, light.moments, light.adaptation);
+    const LobeFinder under(light.weights, light.moments, light.adaptation, least_squares_solver());
     Random random;
     for (int i = 0; i < 10000; ++i) {
         const double peak_nm = random.between(380.0, 780.0);
@@ -226,6 +228,16 @@ TEST(LobeFinder, HasAnAnswerForWhatIsNoSurfacesColour) {
         EXPECT_TRUE(match.height >= 0.0 && match.height <= 1.0);
         EXPECT_TRUE(match.width_nm >= 0.0 && match.width_nm <= 1000.0);
         EXPECT_TRUE(match.peak_nm >= 360.0 && match.peak_nm <= 830.0);
+    }
+}
+
+TEST(LobeFinder, DoesWithoutASolver) {
+    const Light light = light_of("A");
+    const LobeFinder bare(light.weights, light.moments, light.adaptation, nullptr);
+    Random random;
+    for (int i = 0; i < 1000; ++i) {
+        const Xyz colour = colour_of(light, random.between(380.0, 780.0), random.between(5.0, 400.0), 1.0);
+        EXPECT_LE(bare.find(colour).de00, 1.5);
     }
 }
 

@@ -312,6 +312,8 @@ TEST(StackSearch, KeepsWhatIsFixedAndStaysWithinBounds) {
         two_picks);
     const MaterialSearch& search = search_of(plan);
     EXPECT_EQ(names_of(search.search), (std::vector<std::string>{"film", "film_nm", "gap_nm", "films"}));
+    // The gap is fixed, so films and gaps may only exchange their thicknesses.
+    EXPECT_EQ(search.search.exchanges, (std::vector<FreeExchange>{{{1, 2}}}));
     for (const FoundMechanism& found : search.found) {
         const Stack& stack = std::get<Stack>(found.mechanism);
         const Layer& group = stack.layers.at(0);

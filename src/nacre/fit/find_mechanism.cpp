@@ -15,7 +15,9 @@ namespace {
 
 // Of answers that meet the colours there are enough to choose the simplest from, at so many times what is asked for.
 constexpr int enough_per_answer = 4;
-// Of answers that do not, so many are tried with other whole numbers, and so many are looked at closely.
+// Of answers that do not there are fewer.
+constexpr int enough_unmet_per_answer = 2;
+// Of these so many are tried with other whole numbers, and so many are looked at closely.
 constexpr std::size_t most_polished = 4;
 constexpr std::size_t most_sharpened = 4;
 
@@ -32,6 +34,10 @@ public:
         std::stable_sort(answers.begin(), answers.end(), is_better);
         neighbours.wander(answers, effort_.leaps);
         answers = neighbours.best_apart(answers, static_cast<std::size_t>(enough_per_answer * effort_.answers));
+        const auto unmet = static_cast<std::ptrdiff_t>(enough_unmet_per_answer * effort_.answers);
+        const auto is_unmet = [](const Rated& answer) { return answer.error > as_good_as_met; };
+        if (std::ssize(answers) > unmet)
+            answers.erase(std::find_if(answers.begin() + unmet, answers.end(), is_unmet), answers.end());
         for (std::size_t i = 0; i < std::min(answers.size(), most_sharpened); ++i) {
             answers[i] = objective_.sharpened(answers[i].design);
             step();

@@ -17,6 +17,13 @@ double spread_at(double index, std::size_t count) {
     return std::lerp(narrowest_spread, 1.0, index / static_cast<double>(count - 1));
 }
 
+// @param unit  the lobe's colour at height 1
+double square_of_difference(const Lab& target, const DimmedLobe& lobe, const Xyz& unit) {
+    const double height = lobe.height();
+    const double de00 = ciede2000(target, to_lab({height * unit.x, height * unit.y, height * unit.z}, white));
+    return de00 * de00;
+}
+
 }  // namespace
 
 NearestLobe::NearestLobe(const LobeColours& colours) : colours_(colours) {
@@ -140,16 +147,9 @@ void NearestLobe::add_along_valley(const Lab& target, const DimmedLobe& from, Ca
         DimmedLobe lobe = with_lightness(colours_, target, place);
         lobe.root = std::max(lobe.root * start.root_share, DimmedLobe::least_root);
         constexpr double hopeless = 3.0;
-        if (fast_square(target, lobe) > hopeless * from.square) continue;
+        if (square_of_difference(target, lobe, colours_.fast(lobe.place)) > hopeless * from.square) continue;
         candidates.lobes[candidates.count++] = nearest_downhill(colours_, target, lobe, from.square);
     }
-}
-
-double NearestLobe::fast_square(const Lab& target, const DimmedLobe& lobe) const {
-    const Xyz unit = colours_.fast(lobe.place);
-    const double height = lobe.height();
-    const double de00 = ciede2000(target, to_lab({height * unit.x, height * unit.y, height * unit.z}, white));
-    return de00 * de00;
 }
 
 // The nearest of them by exact colours. Walks look at fast ones, next to opposite hues from the side that they are on:
@@ -161,7 +161,7 @@ DimmedLobe NearestLobe::nearest_of(const Lab& target, Candidates& candidates) co
     for (std::size_t look = 0;; ++look) {
         DimmedLobe& nearest = *std::min_element(begin, end, is_nearer);
         const double promised = nearest.square;
-        nearest.square = exact_square(target, nearest);
+        nearest.square = square_of_difference(target, nearest, colours_.exact(nearest.place));
         if (nearest.square <= kept * promised + rounding || look >= 2 * candidates.count) return nearest;
         // A little beside it hues may be on the right side.
         DimmedLobe best = nearest;
@@ -171,19 +171,12 @@ DimmedLobe NearestLobe::nearest_of(const Lab& target, Candidates& candidates) co
                 DimmedLobe beside = nearest;
                 beside.place = colours_.clamped(
                     {nearest.place.peak_nm + (is_peak ? nm : 0.0), std::sqrt(width_nm / LobePlace::widest_nm)});
-                beside.square = exact_square(target, beside);
+                beside.square = square_of_difference(target, beside, colours_.exact(beside.place));
                 if (is_nearer(beside, best)) best = beside;
             }
         }
         nearest = best;
     }
-}
-
-double NearestLobe::exact_square(const Lab& target, const DimmedLobe& lobe) const {
-    const Xyz unit = colours_.exact(lobe.place);
-    const double height = lobe.height();
-    const double de00 = ciede2000(target, to_lab({height * unit.x, height * unit.y, height * unit.z}, white));
-    return de00 * de00;
 }
 
 DimmedLobe NearestLobe::find(const Lab& target) const {
@@ -204,6 +197,7 @@ DimmedLobe NearestLobe::find(const Lab& target) const {
         candidates.lobes[candidates.count++] = candidate;
         if (candidate.square < best.square) best = candidate;
     }
+    if (candidates.count == 0) return best;
     add_along_valley(target, best, candidates);
     return nearest_of(target, candidates);
 }

@@ -56,8 +56,6 @@ private:
     std::size_t find_floors(const float* square, Floors& floors) const;
     void add_along_valley(const Lab& target, const DimmedLobe& from, Candidates& candidates) const;
     DimmedLobe nearest_of(const Lab& target, Candidates& candidates) const;
-    double fast_square(const Lab& target, const DimmedLobe& lobe) const;
-    double exact_square(const Lab& target, const DimmedLobe& lobe) const;
 
     LobeColours colours_;
     std::vector<float> x_, y_, z_;  // cube roots of ratios to white, spreads side by side

@@ -35,12 +35,12 @@ Question question_of(const std::string& mechanism) {
         return std::vector<FoundMechanism>{found};
     };
     const std::string pick = "peak_nm = 500, width_nm = 100, height = 0.5 }";
-    question.light = plan_scene(parse_scene("[material.m]\nmechanism = \"" + mechanism +
-                                                "\"\npicks = [ { angle_deg = 10, " + pick +
-                                                ", { angle_deg = 45, " + pick + " ]\n",
-                                            "bench"),
-                                files)
-                         .light;
+    question.light =
+        plan_scene(parse_scene("[material.m]\nmechanism = \"" + mechanism + "\"\npicks = [ { angle_deg = 10, " + pick +
+                                   ", { angle_deg = 45, " + pick + " ]\n",
+                               "bench"),
+                   files)
+            .light;
     return question;
 }
 

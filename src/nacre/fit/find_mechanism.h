@@ -25,8 +25,8 @@ SearchEffort effort_for(const MechanismSearch& search);
 /// simplest of them ahead; then the others by error.
 ///
 /// A table of designs, spread evenly over the ranges of all free numbers at once (EvenPoints), finds the valleys; least
-/// squares of CIEDE2000's parts find their bottoms. No chance is in it: the same search has the same answers. Without
-/// free numbers the one answer is the start, judged.
+/// squares of CIEDE2000's parts find their bottoms, and leaps from the best of them valleys beside those. No chance is
+/// in it: the same search has the same answers. Without free numbers the one answer is the start, judged.
 /// @param after_step  called every few designs; what it throws ends the search
 std::vector<FoundMechanism> find_mechanisms(const MechanismSearch& search, const Light& light,
                                             const LeastSquaresSolver& solve, const SearchEffort& effort,

@@ -48,7 +48,8 @@ inline constexpr std::array adaptation_words{
 inline constexpr std::array gamut_words{
     Word<Gamut>{"keep", Gamut::keep, "negative components stay, and are counted"},
     Word<Gamut>{"clip", Gamut::clip, "negative components become 0"},
-    Word<Gamut>{"compress", Gamut::compress, "less chroma at the same hue and lightness (Oklab), until nothing is negative"},
+    Word<Gamut>{"compress", Gamut::compress,
+                "less chroma at the same hue and lightness (Oklab), until nothing is negative"},
 };
 /// The same for pictures, which have to show something.
 inline constexpr std::array swatch_gamut_words{

@@ -32,10 +32,11 @@ RefractiveIndex effective_index(const Crystal& crystal, double wavelength_nm);
 
 /// The crystal as layers: a group of thin slices of a period, repeated once per plane.
 ///
-/// Each two slices have the mean of the permittivity over their heights, and its first moment: of a slope that is 4/3 of
-/// what each slice's own mean would give (where that leaves room). Then waves agree to the fourth order of the slices'
-/// height rather than to the second, for s-polarised light, and nearly so for p: both have the first two terms of
-/// Magnus's expansion, which are these moments (Blanes, Casas, Oteo & Ros 2009, Physics Reports 470, 151, section 5).
+/// Each two slices have the mean of the permittivity over their heights, and its first moment: of a slope that is 4/3
+/// of what each slice's own mean would give (where that leaves room). Then waves agree to the fourth order of the
+/// slices' height rather than to the second, for s-polarised light, and nearly so for p: both have the first two terms
+/// of Magnus's expansion, which are these moments (Blanes, Casas, Oteo & Ros 2009, Physics Reports 470, 151, section
+/// 5).
 /// @param slices  of a period; 4, 8, 12, ...
 LayerSystem layer_system(const Crystal& crystal, int slices);
 

@@ -65,8 +65,8 @@ std::vector<double> positive_strata(std::size_t count) {
     return middles;
 }
 
-// Of each mirrored pair of points one. The sequence decides which point gets which stratum, and on which side. That the strata are all there is more even
-// than the sequence by itself, and needs quantiles once instead of once per layer.
+// Of each mirrored pair of points one. The sequence decides which point gets which stratum, and on which side. That the
+// strata are all there is more even than the sequence by itself, and needs quantiles once instead of once per layer.
 Variable stratified(double root, const std::vector<double>& strata) {
     std::vector<double> from_middle;
     for (std::size_t i = 0; i < strata.size(); ++i) {
@@ -198,8 +198,8 @@ LayerEnsemble irregular_systems(const LayerSystem& regular, double spread_nm, in
     }
     const bool has_grid = !moving.empty() && moving.size() <= most_grid_layers &&
                           (moving.size() == 1 || root_of(count, moving.size()) >= least_grid_points);
-    const Points points = has_grid ? grid_points(moving.size(), root_of(count, moving.size()))
-                                   : sequence_points(moving.size(), count);
+    const Points points =
+        has_grid ? grid_points(moving.size(), root_of(count, moving.size())) : sequence_points(moving.size(), count);
 
     LayerEnsemble ensemble;
     ensemble.shares = points.shares;

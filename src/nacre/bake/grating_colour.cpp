@@ -15,6 +15,7 @@
 #include <utility>
 
 #include "nacre/colour/line_integral.h"
+#include "nacre/colour/xyz_sums.h"
 
 namespace nacre {
 namespace {
@@ -50,16 +51,6 @@ constexpr double always_near = 1e-3;
 
 double square(double x) {
     return x * x;
-}
-
-void add(Xyz& sum, double factor, const Xyz& colour) {
-    sum.x += factor * colour.x;
-    sum.y += factor * colour.y;
-    sum.z += factor * colour.z;
-}
-
-Xyz scaled(const Xyz& colour, double factor) {
-    return {factor * colour.x, factor * colour.y, factor * colour.z};
 }
 
 // Rounding may leave a colour a last bit below black.

@@ -7,23 +7,14 @@
 #include <numbers>
 #include <utility>
 
+#include "nacre/colour/xyz_sums.h"
+
 namespace nacre {
 namespace {
 
 // A parabola over a piece is wrong by (change / 2)^3 / 15.6 of a sine whose phase changes so much: 1.4e-6 here, of half
 // the efficiency, a profile's depth being what makes phases.
 constexpr double most_phase_change = 0.07;
-constexpr double most_coarse_phase_change = 0.7;
-
-void add(Xyz& sum, double factor, const Xyz& colour) {
-    sum.x += factor * colour.x;
-    sum.y += factor * colour.y;
-    sum.z += factor * colour.z;
-}
-
-Xyz scaled(const Xyz& colour, double factor) {
-    return {factor * colour.x, factor * colour.y, factor * colour.z};
-}
 
 // The light's weights between whole nanometres, at `along` from 0 to 1.
 Xyz weight_at(const TristimulusWeights& weights, int cell, double along) {

@@ -15,6 +15,9 @@ struct GratingPieces {
     std::vector<std::array<Xyz, 3>> weights;  ///< per piece, at its points: times wavelength
 };
 
+/// What coarse pieces bear of a profile's phases: 3e-3 of half the efficiency. Beyond, they are cut.
+inline constexpr double most_coarse_phase_change = 0.7;
+
 /// How far the phases of a profile so deep move over a nanometre, at most. @param first_nm  of the light
 double profile_phase_per_nm(double depth_nm, double first_nm);
 

@@ -15,6 +15,10 @@ double lab_function(double t) {
     return t > bend ? std::cbrt(t) : (841.0 / 108.0) * t + 4.0 / 29.0;
 }
 
+double from_lab_function(double f) {
+    return f > 6.0 / 29.0 ? f * f * f : (108.0 / 841.0) * (f - 4.0 / 29.0);
+}
+
 // In [0, 360); 0 for grey.
 double hue_deg(double a, double b) {
     if (a == 0.0 && b == 0.0) return 0.0;
@@ -40,6 +44,12 @@ Lab to_lab(Xyz colour, Xyz white) {
     const double fy = lab_function(colour.y / white.y);
     const double fz = lab_function(colour.z / white.z);
     return {116.0 * fy - 16.0, 500.0 * (fx - fy), 200.0 * (fy - fz)};
+}
+
+Xyz from_lab(const Lab& lab, Xyz white) {
+    const double fy = (lab.l + 16.0) / 116.0;
+    return {white.x * from_lab_function(fy + lab.a / 500.0), white.y * from_lab_function(fy),
+            white.z * from_lab_function(fy - lab.b / 200.0)};
 }
 
 namespace {

@@ -18,6 +18,8 @@ struct Lab {
 /// takes what lies below 0.
 /// @param white  of positive components
 Lab to_lab(Xyz colour, Xyz white);
+/// The other way.
+Xyz from_lab(const Lab& lab, Xyz white);
 
 /// Luminances up to this are black, however bright they are shown: what is left of nothing after rounding.
 inline constexpr double black_luminance = 1e-12;

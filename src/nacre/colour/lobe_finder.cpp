@@ -1,12 +1,12 @@
 #include "nacre/colour/lobe_finder.h"
 
 #include <algorithm>
-#include <array>
 #include <cassert>
 #include <cmath>
 #include <cstddef>
-#include <span>
 #include <utility>
+
+#include "nacre/colour/polished_lobe.h"
 
 namespace nacre {
 namespace {
@@ -19,8 +19,10 @@ constexpr double is_near = 0.5;
 }  // namespace
 
 LobeFinder::LobeFinder(const TristimulusWeights& weights, const LobeMoments& moments, const glm::dmat3& adaptation,
-                       LeastSquaresSolver solve)
-    : colours_(weights, moments, adaptation), roots_(colours_), nearest_(colours_), solve_(std::move(solve)) {}
+                       LeastSquaresSolver solve, Asked asked)
+    : colours_(weights, moments, adaptation), roots_(colours_), nearest_(colours_, solve), solve_(std::move(solve)) {
+    if (asked == Asked::often) prepared_.emplace(colours_, nearest_);
+}
 
 LobeMatch LobeFinder::match(const Lab& target, LobePlace place, double height) const {
     const Xyz unit = colours_.exact(place);
@@ -41,39 +43,22 @@ bool LobeFinder::has_widest(const Xyz& colour, const Lab& target, LobeRoots::Fou
     });
 }
 
-// Least squares with exact colours: what they come near they reach to as many digits as they have.
-LobeMatch LobeFinder::polished(const Lab& target, const DimmedLobe& lobe) const {
-    constexpr std::array unit{10.0, 0.05, 0.05};  // of peak, spread and root of the height: they count about alike
-    const auto lobe_at = [&](std::span<const double> v) {
-        return DimmedLobe{colours_.clamped({v[0] * unit[0], v[1] * unit[1]}), std::clamp(v[2] * unit[2], 0.0, 1.0)};
-    };
-    LeastSquares problem;
-    problem.parameters = 3;
-    problem.residuals = 3;
-    problem.evaluate = [&](std::span<const double> v, std::span<double> residuals) {
-        const DimmedLobe there = lobe_at(v);
-        const Xyz colour = colours_.exact(there.place);
-        const double height = there.height();
-        const auto parts =
-            ciede2000_parts(target, to_lab({height * colour.x, height * colour.y, height * colour.z}, white));
-        std::copy(parts.begin(), parts.end(), residuals.begin());
-    };
-    constexpr int most_steps = 60;
-    std::array v{lobe.place.peak_nm / unit[0], lobe.place.spread / unit[1], lobe.root / unit[2]};
-    solve_(problem, v, most_steps);
-    const DimmedLobe found = lobe_at(v);
-    return match(target, found.place, found.height());
+DimmedLobe LobeFinder::nearest_to(const Lab& target) const {
+    if (prepared_) {
+        if (const std::optional<DimmedLobe> lobe = prepared_->find(target)) return *lobe;
+    }
+    return nearest_.find(target);
 }
 
 // Where all lobes of some widths, or beyond some wavelength, have one chromaticity, it says nothing about either; and
 // next to the locus the table's triangles are too thin to find a root in. So whatever is about there is tried.
-LobeMatch LobeFinder::exact_if_any(const Xyz& colour, const Lab& target, const LobeRoots::Found& roots,
-                                   const DimmedLobe& nearest) const {
-    LobeMatch best = polished(target, nearest);
+DimmedLobe LobeFinder::exact_if_any(const Xyz& colour, const Lab& target, const LobeRoots::Found& roots,
+                                    const DimmedLobe& nearest) const {
+    DimmedLobe best = polished_lobe(colours_, solve_, target, nearest);
     const auto try_from = [&](LobePlace place) {
-        if (best.de00 <= exact_lobe_de00) return;
-        const LobeMatch candidate = polished(target, with_lightness(colours_, target, place));
-        if (candidate.de00 < best.de00) best = candidate;
+        if (best.square <= exact_lobe_de00 * exact_lobe_de00) return;
+        const DimmedLobe lobe = polished_lobe(colours_, solve_, target, with_lightness(colours_, target, place));
+        if (lobe.square < best.square) best = lobe;
     };
     for (std::size_t i = 0; i < roots.count; ++i) try_from(roots.places[i]);
     if (roots.unsolved) try_from(*roots.unsolved);
@@ -93,12 +78,10 @@ LobeMatch LobeFinder::find(Xyz colour) const {
     const bool has_chromaticity = colour.y > 0.0 && colour.x + 15.0 * colour.y + 3.0 * colour.z > 0.0;
     if (has_chromaticity) roots = roots_.find(colour);
     if (has_widest(colour, target, roots, best)) return best;
-    const DimmedLobe nearest = nearest_.find(target);
+    DimmedLobe nearest = nearest_to(target);
+    if (nearest.square < is_near * is_near && has_chromaticity && solve_)
+        nearest = exact_if_any(colour, target, roots, nearest);
     best = match(target, nearest.place, nearest.height());
-    if (best.de00 > exact_lobe_de00 && best.de00 < is_near && has_chromaticity && solve_) {
-        const LobeMatch candidate = exact_if_any(colour, target, roots, nearest);
-        if (candidate.de00 < best.de00) best = candidate;
-    }
     if (best.de00 > exact_lobe_de00) best.miss = roots.count > 0 ? LobeMiss::bright : LobeMiss::saturated;
     return best;
 }

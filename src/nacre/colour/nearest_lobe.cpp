@@ -2,8 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <limits>
+#include <utility>
 
 #include "nacre/colour/many_differences.h"
+#include "nacre/colour/polished_lobe.h"
 
 namespace nacre {
 namespace {
@@ -17,16 +21,20 @@ double spread_at(double index, std::size_t count) {
     return std::lerp(narrowest_spread, 1.0, index / static_cast<double>(count - 1));
 }
 
-// @param unit  the lobe's colour at height 1
-double square_of_difference(const Lab& target, const DimmedLobe& lobe, const Xyz& unit) {
-    const double height = lobe.height();
-    const double de00 = ciede2000(target, to_lab({height * unit.x, height * unit.y, height * unit.z}, white));
-    return de00 * de00;
+bool is_nearer(const DimmedLobe& a, const DimmedLobe& b) {
+    return a.square < b.square;
+}
+
+bool is_same(const DimmedLobe& a, const DimmedLobe& b) {
+    constexpr double nm = 2.0, root = 0.01;
+    return std::abs(a.place.peak_nm - b.place.peak_nm) < nm &&
+           std::abs(a.place.width_nm() - b.place.width_nm()) < nm && std::abs(a.root - b.root) < root;
 }
 
 }  // namespace
 
-NearestLobe::NearestLobe(const LobeColours& colours) : colours_(colours) {
+NearestLobe::NearestLobe(const LobeColours& colours, LeastSquaresSolver solve)
+    : colours_(colours), solve_(std::move(solve)) {
     for (std::vector<float>* ratios : {&x_, &y_, &z_, &per_y_}) ratios->assign(table_size, 1.0F);
     for (std::size_t i = 0; i < peaks; ++i) {
         const double along = static_cast<double>(i) / (peaks - 1);
@@ -126,57 +134,55 @@ void NearestLobe::look_over_table(const Lab& target, TableView& view) const {
 }
 
 // Of a lobe one of whose ends is out of sight only the other is seen: all that end there are almost alike, and walks
-// come to rest anywhere along that valley. So it is looked at from its ends, too.
+// come to rest anywhere along that valley. So it is looked at from its ends, too. The widest lobes are nearly grey: their
+// hues change sides at once, which walks do not.
 void NearestLobe::add_along_valley(const Lab& target, const DimmedLobe& from, Candidates& candidates) const {
-    constexpr double first_seen_nm = 400.0, last_seen_nm = 700.0;
-    constexpr double bright = 0.9;  // of reds, dents are only seen there
-    const double half_nm = 0.5 * from.place.width_nm();
-    const double short_end_nm = from.place.peak_nm - half_nm, long_end_nm = from.place.peak_nm + half_nm;
-    const bool is_violet = short_end_nm < first_seen_nm && from.place.peak_nm < 450.0;
-    const bool is_red = long_end_nm > last_seen_nm && from.place.peak_nm > 650.0 && from.height() > bright;
-    if (is_violet == is_red) return;
-    struct Start {
-        double peak_nm, wider_nm, root_share;
+    constexpr double first_seen_nm = 400.0, last_seen_nm = 700.0, nearly_grey_nm = 950.0;
+    const double peak_nm = from.place.peak_nm, half_nm = 0.5 * from.place.width_nm();
+    const double short_end_nm = peak_nm - half_nm, long_end_nm = peak_nm + half_nm;
+    const auto add = [&](double start_peak_nm, double width_nm, double root_share) {
+        const double spread = std::sqrt(std::max(width_nm, 0.0) / LobePlace::widest_nm);
+        DimmedLobe lobe = with_lightness(colours_, target, colours_.clamped({start_peak_nm, spread}));
+        lobe.root = std::max(lobe.root * root_share, DimmedLobe::least_root);
+        candidates.lobes[candidates.count++] = nearest_downhill(colours_, target, lobe);
     };
-    constexpr std::array<Start, 3> violet{{{360.0, 0.0, 1.0}, {430.0, 0.0, 1.0}, {360.0, 120.0, 0.88}}};
-    constexpr std::array<Start, 3> red{{{830.0, 0.0, 1.0}, {720.0, 0.0, 1.0}, {830.0, 150.0, 0.88}}};
-    for (const Start& start : is_violet ? violet : red) {
-        const double reach_nm = is_violet ? long_end_nm - start.peak_nm : start.peak_nm - short_end_nm;
-        const double width_nm = 2.0 * std::max(reach_nm, 0.0) + start.wider_nm;
-        const LobePlace place = colours_.clamped({start.peak_nm, std::sqrt(width_nm / LobePlace::widest_nm)});
-        DimmedLobe lobe = with_lightness(colours_, target, place);
-        lobe.root = std::max(lobe.root * start.root_share, DimmedLobe::least_root);
-        constexpr double hopeless = 3.0;
-        if (square_of_difference(target, lobe, colours_.fast(lobe.place)) > hopeless * from.square) continue;
-        candidates.lobes[candidates.count++] = nearest_downhill(colours_, target, lobe, from.square);
+    const double first_nm = colours_.first_nm(), last_nm = colours_.last_nm();
+    constexpr double darker = 0.88;  // a third less
+    if (2.0 * half_nm > nearly_grey_nm) {
+        for (const double other_nm : {480.0, 520.0, 600.0}) add(other_nm, LobePlace::widest_nm, 1.0);
+    } else if (short_end_nm < first_seen_nm && peak_nm < 450.0) {
+        for (const double other_nm : {first_nm, 430.0}) add(other_nm, 2.0 * (long_end_nm - other_nm), 1.0);
+        add(first_nm, 2.0 * (long_end_nm - first_nm) + 120.0, darker);
+    } else if (long_end_nm > last_seen_nm && peak_nm > 650.0) {
+        for (const double other_nm : {last_nm, 720.0}) add(other_nm, 2.0 * (other_nm - short_end_nm), 1.0);
+        add(last_nm, 2.0 * (last_nm - short_end_nm) + 150.0, darker);
     }
 }
 
-// The nearest of them by exact colours. Walks look at fast ones, next to opposite hues from the side that they are on:
-// what they promise may not hold.
-DimmedLobe NearestLobe::nearest_of(const Lab& target, Candidates& candidates) const {
-    const auto begin = candidates.lobes.begin(), end = begin + static_cast<std::ptrdiff_t>(candidates.count);
-    const auto is_nearer = [](const DimmedLobe& a, const DimmedLobe& b) { return a.square < b.square; };
-    constexpr double kept = 1.02, rounding = 1e-4;
-    for (std::size_t look = 0;; ++look) {
-        DimmedLobe& nearest = *std::min_element(begin, end, is_nearer);
-        const double promised = nearest.square;
-        nearest.square = square_of_difference(target, nearest, colours_.exact(nearest.place));
-        if (nearest.square <= kept * promised + rounding || look >= 2 * candidates.count) return nearest;
-        // A little beside it hues may be on the right side.
-        DimmedLobe best = nearest;
-        for (const double nm : {-8.0, -2.0, -0.5, 0.5, 2.0, 8.0}) {
-            for (const bool is_peak : {true, false}) {
-                const double width_nm = std::max(nearest.place.width_nm() + (is_peak ? 0.0 : 2.0 * nm), 0.0);
-                DimmedLobe beside = nearest;
-                beside.place = colours_.clamped(
-                    {nearest.place.peak_nm + (is_peak ? nm : 0.0), std::sqrt(width_nm / LobePlace::widest_nm)});
-                beside.square = square_of_difference(target, beside, colours_.exact(beside.place));
-                if (is_nearer(beside, best)) best = beside;
-            }
+// Walks look at fast colours, next to opposite hues from the side that they are on, and come to rest where a valley is
+// nearly flat: of those that ended about as near as the nearest, any may be it.
+DimmedLobe NearestLobe::nearest_of(const Lab& target, const Candidates& candidates) const {
+    Candidates ends;
+    for (std::size_t i = 0; i < candidates.count; ++i) {
+        DimmedLobe lobe = judged_exactly(colours_, target, candidates.lobes[i]);
+        if (!is_kept(candidates.lobes[i], lobe)) {
+            constexpr double any = std::numeric_limits<double>::infinity(), margin = 0.05;
+            lobe = judged_exactly(colours_, target,
+                                  nearest_downhill(colours_, target, candidates.lobes[i], any, margin));
         }
-        nearest = best;
+        const auto known = ends.lobes.begin() + static_cast<std::ptrdiff_t>(ends.count);
+        if (std::none_of(ends.lobes.begin(), known, [&](const DimmedLobe& end) { return is_same(end, lobe); }))
+            ends.lobes[ends.count++] = lobe;
     }
+    const auto begin = ends.lobes.begin(), end = begin + static_cast<std::ptrdiff_t>(ends.count);
+    const DimmedLobe nearest = *std::min_element(begin, end, is_nearer);
+    DimmedLobe best = nearest;
+    constexpr double about = 1.5;  // times the square: a fifth of the difference
+    for (auto lobe = begin; solve_ && lobe != end; ++lobe) {
+        if (lobe->square <= about * nearest.square)
+            best = std::min(best, polished_lobe(colours_, solve_, target, *lobe), is_nearer);
+    }
+    return best;
 }
 
 DimmedLobe NearestLobe::find(const Lab& target) const {
@@ -191,9 +197,9 @@ DimmedLobe NearestLobe::find(const Lab& target) const {
     DimmedLobe best;
     best.square = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < seed_count; ++i) {
-        constexpr double hopeless = 2.25;  // 1.5 times the difference
+        constexpr double hopeless = 4.0;  // twice the difference
         if (seeds[i].square > hopeless * best.square) break;
-        const DimmedLobe candidate = nearest_downhill(colours_, target, seeds[i], best.square);
+        const DimmedLobe candidate = nearest_downhill(colours_, target, seeds[i]);
         candidates.lobes[candidates.count++] = candidate;
         if (candidate.square < best.square) best = candidate;
     }

@@ -39,10 +39,9 @@ int slices_of(const Crystal& crystal, const SamplingRule& rule) {
 
 // Of a grating's pieces, so that a deep profile is not cut up further; 1: as for a bake.
 int nm_per_piece(const Grating& grating, const LightSettings& light, const SamplingRule& rule) {
-    constexpr double most_phase_change = 0.7;
     const double depth_nm = grating.profile == GratingProfile::given ? 0.0 : grating.depth_nm;
     int nm = rule.nm_per_piece;
-    while (nm > 1 && nm * profile_phase_per_nm(depth_nm, light.first_nm) > most_phase_change) nm /= 2;
+    while (nm > 1 && nm * profile_phase_per_nm(depth_nm, light.first_nm) > most_coarse_phase_change) nm /= 2;
     return nm;
 }
 

@@ -98,9 +98,9 @@ void plain_5nm_sum(benchmark::State& state) {
     over_widths(state, [](const Lobe& l) { return plain_sum(l, 5); });
 }
 
-// Random sRGB colours that a lobe has, or that none has.
+// Random sRGB colours: all, those that a lobe has, those that none has.
 struct Colours {
-    std::vector<Xyz> reachable, unreachable;
+    std::vector<Xyz> all, reachable, unreachable;
 };
 
 const Light& light() {
@@ -112,8 +112,17 @@ const Light& light() {
     return result;
 }
 
+LobeFinder make_finder(LobeFinder::Asked asked) {
+    return {light().weights, light().moments, light().adaptation, least_squares_solver(), asked};
+}
+
 const LobeFinder& finder() {
-    static const LobeFinder result(light().weights, light().moments, light().adaptation, least_squares_solver());
+    static const LobeFinder result = make_finder(LobeFinder::Asked::seldom);
+    return result;
+}
+
+const LobeFinder& finder_asked_often() {
+    static const LobeFinder result = make_finder(LobeFinder::Asked::often);
     return result;
 }
 
@@ -135,6 +144,7 @@ const Colours& srgb_colours() {
         for (int i = 0; i < 10000; ++i) {
             const Xyz colour = random_srgb(generator);
             const bool is_reachable = finder().find(colour).miss == LobeMiss::none;
+            colours.all.push_back(colour);
             (is_reachable ? colours.reachable : colours.unreachable).push_back(colour);
         }
         return colours;
@@ -142,9 +152,9 @@ const Colours& srgb_colours() {
     return result;
 }
 
-void find_all(benchmark::State& state, const std::vector<Xyz>& colours) {
+void find_all(benchmark::State& state, const LobeFinder& by, const std::vector<Xyz>& colours) {
     for (auto _ : state) {
-        for (const Xyz& colour : colours) benchmark::DoNotOptimize(finder().find(colour));
+        for (const Xyz& colour : colours) benchmark::DoNotOptimize(by.find(colour));
     }
     state.counters["per_colour"] =
         benchmark::Counter(static_cast<double>(colours.size() * static_cast<std::size_t>(state.iterations())),
@@ -152,10 +162,32 @@ void find_all(benchmark::State& state, const std::vector<Xyz>& colours) {
 }
 
 void colour_to_lobe_reachable(benchmark::State& state) {
-    find_all(state, srgb_colours().reachable);
+    find_all(state, finder(), srgb_colours().reachable);
 }
 void colour_to_lobe_unreachable(benchmark::State& state) {
-    find_all(state, srgb_colours().unreachable);
+    find_all(state, finder(), srgb_colours().unreachable);
+}
+
+// Beside the thorough search: how much further what it finds is.
+void find_often(benchmark::State& state, const std::vector<Xyz>& colours) {
+    find_all(state, finder_asked_often(), colours);
+    double worst = 0.0, sum = 0.0;
+    for (const Xyz& colour : colours) {
+        const double lost = finder_asked_often().find(colour).de00 - finder().find(colour).de00;
+        worst = std::max(worst, lost);
+        sum += lost;
+    }
+    state.counters["lost_dE00"] = worst;
+    state.counters["mean_lost_dE00"] = sum / static_cast<double>(colours.size());
+}
+void colour_to_lobe_often_all(benchmark::State& state) {
+    find_often(state, srgb_colours().all);
+}
+void colour_to_lobe_often_reachable(benchmark::State& state) {
+    find_often(state, srgb_colours().reachable);
+}
+void colour_to_lobe_often_unreachable(benchmark::State& state) {
+    find_often(state, srgb_colours().unreachable);
 }
 
 // The loop that one would write: the nearest in CIEDE2000 of 118 peaks and 48 widths, each as light as the colour, and
@@ -194,8 +226,10 @@ void colour_to_lobe_of_a_table(benchmark::State& state) {
 }
 
 void lobe_finder_set_up(benchmark::State& state) {
-    for (auto _ : state)
-        benchmark::DoNotOptimize(LobeFinder(light().weights, light().moments, light().adaptation, nullptr));
+    for (auto _ : state) benchmark::DoNotOptimize(make_finder(LobeFinder::Asked::seldom));
+}
+void lobe_finder_often_set_up(benchmark::State& state) {
+    for (auto _ : state) benchmark::DoNotOptimize(make_finder(LobeFinder::Asked::often));
 }
 
 BENCHMARK(fast);
@@ -206,8 +240,12 @@ BENCHMARK(plain_1nm_sum);
 BENCHMARK(plain_5nm_sum);
 BENCHMARK(colour_to_lobe_reachable);
 BENCHMARK(colour_to_lobe_unreachable);
+BENCHMARK(colour_to_lobe_often_reachable);
+BENCHMARK(colour_to_lobe_often_unreachable);
+BENCHMARK(colour_to_lobe_often_all);
 BENCHMARK(colour_to_lobe_of_a_table);
 BENCHMARK(lobe_finder_set_up)->Unit(benchmark::kMillisecond);
+BENCHMARK(lobe_finder_often_set_up)->Unit(benchmark::kMillisecond);
 
 }  // namespace
 }  // namespace nacre

@@ -52,8 +52,8 @@ public:
 
     /// Takes some milliseconds if asked seldom. @param weights,moments  have to outlive this
     /// @param adaptation  what the weights' XYZ are multiplied with so as to be relative to D65
-    /// @param solve       brings bands that nearly have a colour to it, and others nearer; none: some colours next to the
-    /// spectrum's locus then count as missed, by up to 1
+    /// @param solve       brings bands that nearly have a colour to it, and others nearer; none: some colours next to
+    /// the spectrum's locus then count as missed, by up to 1
     LobeFinder(const TristimulusWeights& weights, const LobeMoments& moments, const glm::dmat3& adaptation,
                LeastSquaresSolver solve, Asked asked = Asked::seldom);
 

@@ -29,10 +29,10 @@ constexpr double opposite_cosine = -0.8;
 // Squared difference about a place. Where hues are nearly opposite it is that of one side, continued beyond.
 struct Model {
     Vector middle{};
-    Quadratic square;               // of what is added to the middle
-    double lean = 0.0;              // of the stencil, see there
-    double side = 0.0;              // 1 or -1 where hues are nearly opposite
-    double sine = 1.0;              // of the hue difference, positive on our side
+    Quadratic square;   // of what is added to the middle
+    double lean = 0.0;  // of the stencil, see there
+    double side = 0.0;  // 1 or -1 where hues are nearly opposite
+    double sine = 1.0;  // of the hue difference, positive on our side
     double least_sine = 0.0;
     std::array<double, 2> slope{};  // of the sine
 
@@ -158,7 +158,8 @@ Model Walk::model_at(const Vector& place, double side, double lean) const {
     Model model;
     model.lean = lean;
     // What is no lobe of ours beyond the other bounds has a colour all the same.
-    model.middle = {place[0], std::max(place[1], low_[1] + (1.0 + std::abs(lean)) * reach), std::max(place[2], low_[2] + reach)};
+    model.middle = {place[0], std::max(place[1], low_[1] + (1.0 + std::abs(lean)) * reach),
+                    std::max(place[2], low_[2] + reach)};
     const auto [peak, width, root] = model.middle;
     std::array<float, 3 * lobe_count + RootColours::padding> ratios{};
     for (std::size_t i = 0; i < lobe_count; ++i) {
@@ -187,7 +188,7 @@ double lean_of_hidden_end(const LobePlace& place) {
     constexpr double first_seen_nm = 400.0, last_seen_nm = 700.0;
     constexpr double lean = 2.0 * unit[0] / unit[1];
     const double half_nm = 0.5 * place.width_nm();
-    const bool hides_short = place.peak_nm - half_nm < first_seen_nm, hides_long = place.peak_nm + half_nm > last_seen_nm;
+    const bool hides_short = place.peak_nm - half_nm<first_seen_nm, hides_long = place.peak_nm + half_nm> last_seen_nm;
     if (hides_short == hides_long) return 0.0;
     return hides_short ? lean : -lean;
 }
@@ -226,7 +227,9 @@ DimmedLobe Walk::from(const DimmedLobe& start, double least) const {
 
 // Where hues are nearly opposite the walk stays on the model's side, or goes there.
 DimmedLobe Walk::on_one_side(Step here, double least) const {
-    const auto is_on_its_side = [](const Step& step) { return step.model.is_held_at(step.model.from_middle(step.place)); };
+    const auto is_on_its_side = [](const Step& step) {
+        return step.model.is_held_at(step.model.from_middle(step.place));
+    };
     Vector best = here.place;
     double best_square = is_on_its_side(here) ? here.square : std::numeric_limits<double>::max();
     double radius = 2.0;

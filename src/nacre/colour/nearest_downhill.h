@@ -22,9 +22,8 @@ struct DimmedLobe {
 double root_of_lightness(double lightness);
 
 /// Walks downhill in CIEDE2000 from a lobe: a quadratic model of the squared difference in peak, width and root of the
-/// height, made anew at every step, says where to go. Where the hue is nearly opposite to the colour's, CIEDE2000 jumps: there
-/// both sides are walked.
-/// Accuracy: 0.1 % of the difference, or 0.001, in valleys that are not too bent.
+/// height, made anew at every step, says where to go. Where the hue is nearly opposite to the colour's, CIEDE2000
+/// jumps: there both sides are walked. Accuracy: 0.1 % of the difference, or 0.001, in valleys that are not too bent.
 /// @param least  squared difference of the best that is known; what hardly falls below it is given up
 /// @param margin  to keep from the opposite hue, in units of CIELAB. Fast colours are a little off: what ends there may
 /// be beyond by exact ones

@@ -27,8 +27,8 @@ bool is_nearer(const DimmedLobe& a, const DimmedLobe& b) {
 
 bool is_same(const DimmedLobe& a, const DimmedLobe& b) {
     constexpr double nm = 2.0, root = 0.01;
-    return std::abs(a.place.peak_nm - b.place.peak_nm) < nm &&
-           std::abs(a.place.width_nm() - b.place.width_nm()) < nm && std::abs(a.root - b.root) < root;
+    return std::abs(a.place.peak_nm - b.place.peak_nm) < nm && std::abs(a.place.width_nm() - b.place.width_nm()) < nm &&
+           std::abs(a.root - b.root) < root;
 }
 
 }  // namespace
@@ -134,8 +134,8 @@ void NearestLobe::look_over_table(const Lab& target, TableView& view) const {
 }
 
 // Of a lobe one of whose ends is out of sight only the other is seen: all that end there are almost alike, and walks
-// come to rest anywhere along that valley. So it is looked at from its ends, too. The widest lobes are nearly grey: their
-// hues change sides at once, which walks do not.
+// come to rest anywhere along that valley. So it is looked at from its ends, too. The widest lobes are nearly grey:
+// their hues change sides at once, which walks do not.
 void NearestLobe::add_along_valley(const Lab& target, const DimmedLobe& from, Candidates& candidates) const {
     constexpr double first_seen_nm = 400.0, last_seen_nm = 700.0, nearly_grey_nm = 950.0;
     const double peak_nm = from.place.peak_nm, half_nm = 0.5 * from.place.width_nm();
@@ -167,8 +167,8 @@ DimmedLobe NearestLobe::nearest_of(const Lab& target, const Candidates& candidat
         DimmedLobe lobe = judged_exactly(colours_, target, candidates.lobes[i]);
         if (!is_kept(candidates.lobes[i], lobe)) {
             constexpr double any = std::numeric_limits<double>::infinity(), margin = 0.05;
-            lobe = judged_exactly(colours_, target,
-                                  nearest_downhill(colours_, target, candidates.lobes[i], any, margin));
+            lobe =
+                judged_exactly(colours_, target, nearest_downhill(colours_, target, candidates.lobes[i], any, margin));
         }
         const auto known = ends.lobes.begin() + static_cast<std::ptrdiff_t>(ends.count);
         if (std::none_of(ends.lobes.begin(), known, [&](const DimmedLobe& end) { return is_same(end, lobe); }))

@@ -72,9 +72,10 @@ NearestLobeGrid::NearestLobeGrid(const LobeColours& colours, const NearestLobe& 
         const glm::dvec3 rgb = to_rgb * glm::dvec3(colour.x, colour.y, colour.z);
         if (std::min({rgb.r, rgb.g, rgb.b}) < 0.0 || std::max({rgb.r, rgb.g, rgb.b}) > 1.0) return;
         for (std::size_t neighbour = 0; neighbour < 27; ++neighbour) {
-            const Position at{position[0] + neighbour / 9, position[1] + neighbour / 3 % 3, position[2] + neighbour % 3};
-            const bool is_inside = at[0] > 0 && at[1] > 0 && at[2] > 0 && at[0] <= counts[0] && at[1] <= counts[1] &&
-                                   at[2] <= counts[2];
+            const Position at{position[0] + neighbour / 9, position[1] + neighbour / 3 % 3,
+                              position[2] + neighbour % 3};
+            const bool is_inside =
+                at[0] > 0 && at[1] > 0 && at[2] > 0 && at[0] <= counts[0] && at[1] <= counts[1] && at[2] <= counts[2];
             if (is_inside) nodes_[index_of({at[0] - 1, at[1] - 1, at[2] - 1})].is_made = true;
         }
     });
@@ -142,7 +143,8 @@ std::optional<DimmedLobe> NearestLobeGrid::nearest_from(const Lab& target, const
         if (walks == most_walks || squares[corner] > hopeless * best.square) break;
         const DimmedLobe& start = cell.corners[corner]->lobe;
         const auto end = starts.begin() + static_cast<std::ptrdiff_t>(walks);
-        if (std::any_of(starts.begin(), end, [&](const DimmedLobe* known) { return is_about(*known, start); })) continue;
+        if (std::any_of(starts.begin(), end, [&](const DimmedLobe* known) { return is_about(*known, start); }))
+            continue;
         starts[walks++] = &start;
         const DimmedLobe promised = nearest_downhill(colours_, target, start, is_hard ? any : best.square);
         if (const std::optional<DimmedLobe> lobe = kept(target, promised)) {

@@ -66,5 +66,16 @@ TEST(Lab, WhiteIsHundredBlackIsZeroAndBelowBlackGoesOnStraight) {
         EXPECT_NEAR(to_lab({y * d65.x, y, y * d65.z}, d65).l, per_luminance * y, 1e-12);
     EXPECT_NEAR(to_lab({0.18 * d65.x, 0.18, 0.18 * d65.z}, d65).l, 116.0 * std::cbrt(0.18) - 16.0, 1e-12);
 }
+
+TEST(Lab, GoesBackToItsColour) {
+    for (const Xyz& colour :
+         {Xyz{}, d65, {0.3, 0.12, 0.3}, {0.001, 0.002, 0.003}, {1.8, 2.5, 0.9}, {-0.02, 0.01, -0.3}}) {
+        const Xyz back = from_lab(to_lab(colour, d65), d65);
+        EXPECT_NEAR(back.x, colour.x, 1e-14);
+        EXPECT_NEAR(back.y, colour.y, 1e-14);
+        EXPECT_NEAR(back.z, colour.z, 1e-14);
+    }
+}
+
 }  // namespace
 }  // namespace nacre

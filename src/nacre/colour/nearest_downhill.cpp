@@ -188,7 +188,8 @@ double lean_of_hidden_end(const LobePlace& place) {
     constexpr double first_seen_nm = 400.0, last_seen_nm = 700.0;
     constexpr double lean = 2.0 * unit[0] / unit[1];
     const double half_nm = 0.5 * place.width_nm();
-    const bool hides_short = place.peak_nm - half_nm<first_seen_nm, hides_long = place.peak_nm + half_nm> last_seen_nm;
+    const bool hides_short = place.peak_nm - half_nm < first_seen_nm;
+    const bool hides_long = place.peak_nm + half_nm > last_seen_nm;
     if (hides_short == hides_long) return 0.0;
     return hides_short ? lean : -lean;
 }

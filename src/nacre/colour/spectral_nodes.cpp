@@ -63,29 +63,47 @@ private:
                                    static_cast<std::size_t>(weights_.count()) - 2);
         const double step = (phi_right - phi_left) / parts;
         for (int part = 0; part < parts; ++part) {
-            for (const QuadratureNode& node : quadrature)
-                add_point(cell, phi_left + (part + 0.5 + 0.5 * node.at) * step, 0.5 * node.share * std::abs(step));
+            Points points;
+            for (std::size_t i = 0; i < quadrature.size(); ++i) {
+                const double phi = phi_left + (part + 0.5 + 0.5 * quadrature[i].at) * step;
+                points[i] = point_at(cell, phi, 0.5 * quadrature[i].share * std::abs(step));
+            }
+            add_points(points);
         }
     }
 
-    void add_point(std::size_t cell, double phi, double share) {
+    // A wavelength, by its x, and what its colour weighs.
+    struct Point {
+        double cosine, x, y, z;
+    };
+    using Points = std::array<Point, quadrature.size()>;
+
+    Point point_at(std::size_t cell, double phi, double share) const {
         const double cosine = std::cos(phi);
         const double nm = 1.0 / panel_.wavenumber(cosine);
         const double along = std::clamp(nm - weights_.first_nm - static_cast<double>(cell), 0.0, 1.0);
         // d nm = nm^2 d wavenumber, and d x = sin(phi) d phi.
         const double by_phi = share * nm * nm * 0.5 * (panel_.to - panel_.from) * std::sin(phi);
-        const double wx = by_phi * weight_at(weights_.x, cell, along);
-        const double wy = by_phi * weight_at(weights_.y, cell, along);
-        const double wz = by_phi * weight_at(weights_.z, cell, along);
-        double polynomial = 1.0;
-        double before = cosine;
+        return {cosine, by_phi * weight_at(weights_.x, cell, along), by_phi * weight_at(weights_.y, cell, along),
+                by_phi * weight_at(weights_.z, cell, along)};
+    }
+
+    // Side by side, because each recurrence waits for itself.
+    void add_points(const Points& points) {
+        std::array<double, quadrature.size()> polynomial, before;
+        for (std::size_t i = 0; i < points.size(); ++i) {
+            polynomial[i] = 1.0;
+            before[i] = points[i].cosine;
+        }
         for (std::size_t n = 0; n < x_.size(); ++n) {
-            x_[n] += wx * polynomial;
-            y_[n] += wy * polynomial;
-            z_[n] += wz * polynomial;
-            const double next = 2.0 * cosine * polynomial - before;
-            before = polynomial;
-            polynomial = next;
+            for (std::size_t i = 0; i < points.size(); ++i) {
+                x_[n] += points[i].x * polynomial[i];
+                y_[n] += points[i].y * polynomial[i];
+                z_[n] += points[i].z * polynomial[i];
+                const double next = 2.0 * points[i].cosine * polynomial[i] - before[i];
+                before[i] = polynomial[i];
+                polynomial[i] = next;
+            }
         }
     }
 
@@ -108,8 +126,11 @@ void add_panel(const TristimulusWeights& weights, const Panel& panel, int count,
         double x = 0.5 * moments.x()[0];
         double y = 0.5 * moments.y()[0];
         double z = 0.5 * moments.z()[0];
+        std::size_t k = 0;
         for (std::size_t n = 1; n < size; ++n) {
-            const double polynomial = cosines[n * (2 * j + 1) % cosines.size()];
+            k += 2 * j + 1;
+            if (k >= cosines.size()) k -= cosines.size();
+            const double polynomial = cosines[k];
             x += moments.x()[n] * polynomial;
             y += moments.y()[n] * polynomial;
             z += moments.z()[n] * polynomial;

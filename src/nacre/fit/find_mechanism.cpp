@@ -110,7 +110,7 @@ private:
 SearchEffort effort_for(const MechanismSearch& search) {
     struct Visitor {
         SearchEffort operator()(const Film&) const { return {1 << 14, 64, 24, 8}; }
-        SearchEffort operator()(const Stack&) const { return {1 << 16, 1536, 96, 48}; }
+        SearchEffort operator()(const Stack&) const { return {5 << 14, 2400, 96, 96}; }
         SearchEffort operator()(const Crystal&) const { return {1 << 14, 384, 96, 16}; }
         SearchEffort operator()(const Grating&) const { return {1 << 16, 512, 96, 16}; }
         SearchEffort operator()(const Palette&) const { return {}; }

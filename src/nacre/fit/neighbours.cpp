@@ -94,7 +94,8 @@ void Neighbours::wander(std::vector<Rated>& answers, int leaps) {
         std::vector<Rated> landed;
         for (const Rated& from : wanderers) {
             for (int i = 0; i < leaps; ++i) {
-                landed.push_back(objective_.refined(leap(from.design, next++, length), SearchDetail::table));
+                landed.push_back(
+                    objective_.refined(objective_.rounded(leap(from.design, next++, length)), SearchDetail::table));
                 step();
             }
         }

@@ -53,6 +53,14 @@ std::vector<double> Objective::whole_numbers(const Design& design) const {
     return numbers;
 }
 
+Design Objective::rounded(Design design) const {
+    for (std::size_t i = 0; i < design.size(); ++i) {
+        const FreeNumber& number = search_.free[i];
+        if (number.scale == FreeScale::whole) design[i] = number.place_of(number.at(design[i]));
+    }
+    return design;
+}
+
 double Objective::error_of(std::span<const Xyz> shown) const {
     double sum = 0.0;
     for (std::size_t i = 0; i < shown.size(); ++i) {
@@ -115,8 +123,14 @@ Rated Objective::descended(const Design& start, const SearchSampling& sampling, 
 }
 
 Rated Objective::refined(const Design& start, SearchDetail detail) {
-    return descended(start, shown_.sampling_for(mechanism_of(start), detail),
-                     detail == SearchDetail::table ? few_steps : many_steps);
+    const Mechanism mechanism = mechanism_of(start);
+    if (detail == SearchDetail::table) return descended(start, shown_.sampling_for(mechanism, detail), few_steps);
+    const Rated coarse = descended(start, shown_.sampling_for(mechanism, detail), many_steps);
+    // What is too good to be true must not crowd out what is good.
+    const Rated fine = rated(coarse.design, SearchDetail::report);
+    constexpr double share = 0.02, settled_de00 = 0.01;
+    if (std::abs(fine.error - coarse.error) < share * coarse.error + settled_de00) return fine;
+    return descended(coarse.design, shown_.sampling_for(mechanism, SearchDetail::report), last_steps);
 }
 
 Rated Objective::sharpened(const Design& start) {

@@ -37,10 +37,12 @@ public:
     Mechanism mechanism_of(const Design& design) const;
     /// Of a design, what least squares cannot change.
     std::vector<double> whole_numbers(const Design& design) const;
+    /// With whole numbers in the middle of the places that they have: designs that differ within those are one.
+    Design rounded(Design design) const;
 
     Rated rated(const Design& design, SearchDetail detail);
-    /// Down the valley that the design lies in: a few steps for the table's detail, else to the bottom. Whole numbers
-    /// stay.
+    /// Down the valley that the design lies in: a few steps for the table's detail, else to the bottom as the report's
+    /// detail sees it. Whole numbers stay.
     Rated refined(const Design& start, SearchDetail detail);
     /// The same from the bottom of a valley, with as many nodes as its own spectra want: narrow resonances beguile a
     /// search that looks between them.

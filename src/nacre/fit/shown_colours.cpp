@@ -30,6 +30,13 @@ constexpr SamplingRule rule_of(SearchDetail detail) {
     return {};
 }
 
+// Nodes come in eights, and in few numbers, because making them takes as long as thousands of colours.
+int rounded_up(int count) {
+    int step = 8;
+    while (count > 8 * step) step *= 2;
+    return (count + step - 1) / step * step;
+}
+
 // Slices come in fours.
 int slices_of(const Crystal& crystal, const SamplingRule& rule) {
     constexpr double most_slices = 512.0;
@@ -68,7 +75,7 @@ SearchSampling ShownColours::sampling_for(const Mechanism& mechanism, SearchDeta
     if (!light_.settings.wavelengths) {
         const double wanted =
             times * (rule.fewest_nodes + rule.nodes_per_fringe * fringe_count(mechanism, light_.settings));
-        count = std::min(rule.most_nodes, (static_cast<int>(std::min(wanted, 1e6)) + 7) / 8 * 8);
+        count = std::min(rule.most_nodes, rounded_up(static_cast<int>(std::min(wanted, 1e6))));
     }
     auto& nodes = nodes_[count];
     if (!nodes) {

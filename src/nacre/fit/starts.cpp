@@ -21,7 +21,7 @@ std::vector<Rated> Starts::table_of(int count, const Design* fixed) {
     for (int i = 0; i < count; ++i) {
         const std::vector<double> point = points.at(i);
         for (std::size_t j = 0; j < moving.size(); ++j) design[moving[j]] = point[j];
-        table.push_back(objective_.rated(design, SearchDetail::table));
+        table.push_back(objective_.rated(objective_.rounded(design), SearchDetail::table));
         if (i % 64 == 0 && after_step_) after_step_();
     }
     std::stable_sort(table.begin(), table.end(), is_better);

@@ -133,16 +133,23 @@ void sample_indices(const LayerSystem& system, std::span<const double> wavelengt
     std::vector<double> largest(system.curves.size(), 0.0);
     std::vector<char> lossless(system.curves.size(), 1);
     std::vector<Norms> norms(system.curves.size());
+    const std::size_t count = wavelength_nm.size();
+    prepared.n.resize(system.curves.size() * count);
+    prepared.k.resize(prepared.n.size());
     for (std::size_t curve = 0; curve < system.curves.size(); ++curve) {
-        for (const double nm : wavelength_nm) {
-            const RefractiveIndex index = system.curves[curve].at(nm);
-            prepared.n.push_back(index.real());
-            prepared.k.push_back(index.imag());
+        const std::span n(prepared.n.data() + curve * count, count), k(prepared.k.data() + curve * count, count);
+        const std::size_t different = system.curves[curve].is_constant() ? 1 : count;
+        for (std::size_t i = 0; i < different; ++i) {
+            const RefractiveIndex index = system.curves[curve].at(wavelength_nm[i]);
+            n[i] = index.real();
+            k[i] = index.imag();
             least[curve] = std::min(least[curve], index.real());
             largest[curve] = std::max(largest[curve], index.real());
             if (index.imag() != 0.0) lossless[curve] = 0;
             norms[curve].add(std::norm(index));
         }
+        std::fill(n.begin() + static_cast<std::ptrdiff_t>(different), n.end(), n.front());
+        std::fill(k.begin() + static_cast<std::ptrdiff_t>(different), k.end(), k.front());
     }
     for (const Medium& medium : system.media) {
         const auto curve = static_cast<std::size_t>(medium.curve);
@@ -170,7 +177,9 @@ MultilayerSolver::MultilayerSolver(const LayerSystem& system, std::span<const do
     std::vector<double> padded(wavelengths_nm.begin(), wavelengths_nm.end());
     while (padded.size() % PreparedLayers::padding != 0) padded.push_back(padded.back());
     prepared->wavelengths = padded.size();
-    for (const double nm : padded) prepared->quarter_turns_per_nm.push_back(4.0 / nm);
+    prepared->quarter_turns_per_nm.resize(padded.size());
+    std::transform(padded.begin(), padded.end(), prepared->quarter_turns_per_nm.begin(),
+                   [](double nm) { return 4.0 / nm; });
     prepared->media = system.media;
     prepared->incident = system.incident;
     prepared->substrate = system.substrate;

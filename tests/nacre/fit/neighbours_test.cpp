@@ -56,7 +56,7 @@ MechanismSearch pairs_search(const std::vector<double>& shown_values) {
     const std::vector<Geometry> places{Incidence::from_degrees(0.0), Incidence::from_degrees(45.0)};
     ShownColours colours(daylight(), places);
     std::vector<Xyz> wanted(places.size());
-    colours.at(shown, colours.sampling_for(shown, SearchDetail::refinement), wanted);
+    colours.at(shown, colours.sampling_for(shown, SearchDetail::report), wanted);
     for (std::size_t i = 0; i < places.size(); ++i) search.wanted.push_back({places[i], wanted[i], 1.0});
     return search;
 }
@@ -127,6 +127,39 @@ TEST(Objective, SharpensWithTheNodesThatAnAnswerWants) {
     const double sharp = objective.sharpened(design).error;
     EXPECT_LE(std::abs(sharp - shown), 0.02);
     EXPECT_GT(std::abs(coarse - shown), 2.0 * std::abs(sharp - shown));
+}
+
+TEST(Objective, OfTheBottomOfAValleyTellsWhatTheReportSees) {
+    MechanismSearch search = pairs_search({1.0, 400.0, 2.4, 400.0});
+    std::get<Stack>(search.start).layers.front().repeat = 40;
+    search.wanted[0].colour = {0.3, 0.3, 0.3};
+    Objective objective(search, daylight(), lazy);
+    double beguiled = 0.0;
+    for (double film_nm = 300.0; film_nm <= 390.0; film_nm += 10.0) {
+        const Design design = design_of(search, {1.0, film_nm, 2.4, 380.0});
+        const double reported = objective.rated(design, SearchDetail::report).error;
+        const double seen = objective.rated(design, SearchDetail::refinement).error;
+        beguiled = std::max(beguiled, std::abs(seen - reported));
+        EXPECT_NEAR(objective.refined(design, SearchDetail::refinement).error, reported, 1e-9);
+    }
+    EXPECT_GT(beguiled, 0.1);
+}
+
+// One film has a quarter of the places from 1 to 40: four designs that differ in nothing else would be four valleys.
+TEST(Objective, HasOneDesignForOneWholeNumber) {
+    MechanismSearch search = pairs_search({1.1, 150.0, 1.8, 90.0});
+    FreeNumber films = free_number("films", 1.0, 40.0, [](Mechanism& m, double n) {
+        std::get<Stack>(m).layers.front().repeat = static_cast<int>(n);
+    });
+    films.scale = FreeScale::whole;
+    search.free.push_back(films);
+    const Objective objective(search, daylight(), lazy);
+    const Design one = objective.rounded({0.3, 0.4, 0.5, 0.6, 0.02}),
+                 other = objective.rounded({0.3, 0.4, 0.5, 0.6, 0.2});
+    EXPECT_EQ(one, other);
+    EXPECT_EQ(films.at(one.back()), 1.0);
+    EXPECT_EQ(one.front(), 0.3);
+    EXPECT_NE(one, objective.rounded({0.3, 0.4, 0.5, 0.6, 0.3}));
 }
 
 }  // namespace

@@ -61,7 +61,8 @@ struct Steps {
     double rotation;
 };
 
-Steps steps_between(const Lab& one, const Lab& other) {
+// @param side  0, or the way round that is counted where hues are nearly opposite: 1 upwards from one's, -1 downwards
+Steps steps_between(const Lab& one, const Lab& other, double side) {
     const double mean_plain_chroma = 0.5 * (std::hypot(one.a, one.b) + std::hypot(other.a, other.b));
     const double stretch = 1.0 + 0.5 * (1.0 - seventh_power_share(mean_plain_chroma));
     const double a1 = stretch * one.a;
@@ -77,6 +78,8 @@ Steps steps_between(const Lab& one, const Lab& other) {
     double hue_step_deg = is_grey ? 0.0 : hue2 - hue1;
     if (hue_step_deg > 180.0) hue_step_deg -= 360.0;
     if (hue_step_deg < -180.0) hue_step_deg += 360.0;
+    const bool goes_other_way = side * hue_step_deg < -90.0;
+    if (goes_other_way) hue_step_deg += 360.0 * side;
     const double hue_step = 2.0 * std::sqrt(chroma1 * chroma2) * std::sin(0.5 * hue_step_deg / degrees_per_radian);
 
     const double lightness = 0.5 * (one.l + other.l);
@@ -85,6 +88,7 @@ Steps steps_between(const Lab& one, const Lab& other) {
     if (!is_grey) {
         if (std::abs(hue1 - hue2) > 180.0) hue += hue < 360.0 ? 360.0 : -360.0;
         hue *= 0.5;
+        if (goes_other_way) hue += hue < 180.0 ? 180.0 : -180.0;
     }
     const double t = 1.0 - 0.17 * cos_deg(hue - 30.0) + 0.24 * cos_deg(2.0 * hue) + 0.32 * cos_deg(3.0 * hue + 6.0) -
                      0.20 * cos_deg(4.0 * hue - 63.0);
@@ -102,15 +106,15 @@ Steps steps_between(const Lab& one, const Lab& other) {
 }  // namespace
 
 double ciede2000(const Lab& one, const Lab& other) {
-    const auto [l, c, h, rotation] = steps_between(one, other);
+    const auto [l, c, h, rotation] = steps_between(one, other, 0.0);
     // The form is positive definite (|rotation| < 2), but rounding may leave a trifle below 0. What is not a number
     // stays so: fmax() would hide it.
     const double square = l * l + c * c + h * h + rotation * c * h;
     return std::sqrt(square < 0.0 ? 0.0 : square);
 }
 
-std::array<double, 3> ciede2000_parts(const Lab& one, const Lab& other) {
-    const auto [l, c, h, rotation] = steps_between(one, other);
+std::array<double, 3> ciede2000_parts(const Lab& one, const Lab& other, double side) {
+    const auto [l, c, h, rotation] = steps_between(one, other, side);
     const double half = 0.5 * rotation;
     return {l, c + half * h, h * std::sqrt(std::max(0.0, (1.0 - half) * (1.0 + half)))};
 }

@@ -32,7 +32,9 @@ double ciede2000(const Lab& one, const Lab& other);
 
 /// The same as three parts whose squares sum to the square of ciede2000(): lightness; chroma, with half of the rotation
 /// term; and the rest of hue. For optimisers that want residuals.
-std::array<double, 3> ciede2000_parts(const Lab& one, const Lab& other);
+/// @param side  Where hues are opposite CIEDE2000 jumps, as the shorter way round changes sides. 1 counts the way
+/// upwards from one's hue, -1 the way downwards, so long as either is more than 90 degrees: smooth across the jump
+std::array<double, 3> ciede2000_parts(const Lab& one, const Lab& other, double side = 0.0);
 
 /// No two colours differ by more in CIEDE2000 than by so many times their Euclidean distance in L*a*b*.
 ///

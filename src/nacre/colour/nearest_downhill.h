@@ -18,6 +18,9 @@ struct DimmedLobe {
     double height() const { return root * root * root; }
 };
 
+/// From the opposite hue, in units of CIELAB, so that neither rounded numbers nor single precision change the side.
+inline constexpr double opposite_hue_margin = 0.01;
+
 /// Cube root of the Y that has a lightness; 0 below black.
 double root_of_lightness(double lightness);
 
@@ -26,9 +29,10 @@ double root_of_lightness(double lightness);
 /// jumps: there both sides are walked. Accuracy: 0.1 % of the difference, or 0.001, in valleys that are not too bent.
 /// @param least  squared difference of the best that is known; what hardly falls below it is given up
 /// @param margin  to keep from the opposite hue, in units of CIELAB. Fast colours are a little off: what ends there may
-/// be beyond by exact ones
+/// be nearer to it by exact ones
 DimmedLobe nearest_downhill(const LobeColours& colours, const Lab& target, DimmedLobe start,
-                            double least = std::numeric_limits<double>::infinity(), double margin = 0.004);
+                            double least = std::numeric_limits<double>::infinity(),
+                            double margin = opposite_hue_margin);
 
 /// The lobe of a place that is as light as the target, as far as a surface goes.
 DimmedLobe with_lightness(const LobeColours& colours, const Lab& target, LobePlace place);

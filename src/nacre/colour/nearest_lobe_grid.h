@@ -21,7 +21,7 @@ public:
 
     /// Some 5 microseconds. Nothing for colours beyond Rec. 2020, and where a walk did not keep its promise: ask
     /// NearestLobe for those (of random sRGB, 1 in 700).
-    /// Accuracy: beside NearestLobe, CIEDE2000 0.05 for 999 in 1000 colours, else up to 1.5.
+    /// Accuracy: beside NearestLobe, CIEDE2000 0.05 for 999 in 1000 colours, else up to 2.
     std::optional<DimmedLobe> find(const Lab& target) const;
 
 private:

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <span>
 
 namespace nacre {
@@ -15,11 +16,37 @@ Lab lab_of(const LobeColours& colours, const DimmedLobe& lobe) {
     return to_lab({height * unit.x, height * unit.y, height * unit.z}, white);
 }
 
+// Where a colour lies beside the hue that is opposite to the target's.
+struct Opposite {
+    double distance;  // from it, in units of CIELAB; of a side, as in ciede2000_parts()
+    bool is_near;     // and not that from the target's own hue
+
+    double side() const { return std::copysign(1.0, distance); }
+};
+
+Opposite opposite_of(const Lab& target, const Lab& lab) {
+    const double chroma = std::hypot(target.a, target.b);
+    if (chroma == 0.0) return {0.0, false};
+    const double across = (target.a * lab.b - target.b * lab.a) / chroma;
+    const double along = (target.a * lab.a + target.b * lab.b) / chroma;
+    return {across, along < -std::abs(across)};
+}
+
+double square_of(const std::array<double, 3>& parts) {
+    return parts[0] * parts[0] + parts[1] * parts[1] + parts[2] * parts[2];
+}
+
 }  // namespace
 
 DimmedLobe judged_exactly(const LobeColours& colours, const Lab& target, DimmedLobe lobe) {
-    const double de00 = ciede2000(target, lab_of(colours, lobe));
-    lobe.square = de00 * de00;
+    const Lab lab = lab_of(colours, lobe);
+    lobe.square = square_of(ciede2000_parts(target, lab));
+    const Opposite opposite = opposite_of(target, lab);
+    constexpr double least_distance = 0.25 * opposite_hue_margin;
+    if (opposite.is_near && std::abs(opposite.distance) < least_distance) {
+        const double beyond = square_of(ciede2000_parts(target, lab, -opposite.side()));
+        lobe.square = std::max(lobe.square, beyond);
+    }
     return lobe;
 }
 
@@ -29,12 +56,19 @@ DimmedLobe polished_lobe(const LobeColours& colours, const LeastSquaresSolver& s
     const auto lobe_at = [&](std::span<const double> v) {
         return DimmedLobe{colours.clamped({v[0] * unit[0], v[1] * unit[1]}), std::clamp(v[2] * unit[2], 0.0, 1.0)};
     };
+    const Opposite opposite = opposite_of(target, lab_of(colours, start));
+    const double side = opposite.is_near ? opposite.side() : 0.0;
     LeastSquares problem;
     problem.parameters = 3;
-    problem.residuals = 3;
+    problem.residuals = 4;
     problem.evaluate = [&](std::span<const double> v, std::span<double> residuals) {
-        const auto parts = ciede2000_parts(target, lab_of(colours, lobe_at(v)));
+        const Lab lab = lab_of(colours, lobe_at(v));
+        const auto parts = ciede2000_parts(target, lab, side);
         std::copy(parts.begin(), parts.end(), residuals.begin());
+        // A spring that keeps it on its side.
+        constexpr double stiffness = 100.0;
+        const double distance = side * opposite_of(target, lab).distance;
+        residuals[3] = side == 0.0 ? 0.0 : stiffness * std::max(0.0, opposite_hue_margin - distance);
     };
     constexpr int most_steps = 60;
     std::array v{start.place.peak_nm / unit[0], start.place.spread / unit[1], start.root / unit[2]};

@@ -7,7 +7,8 @@
 
 namespace nacre {
 
-/// The lobe with its square by exact colours rather than by fast ones.
+/// The lobe with its square by exact colours rather than by fast ones. What lies so near to the opposite hue, where
+/// CIEDE2000 jumps, that rounding decides on which side is judged by the worse.
 DimmedLobe judged_exactly(const LobeColours& colours, const Lab& target, DimmedLobe lobe);
 
 /// Whether exact colours bear out what a walk said of its end, to a hundredth of the difference.

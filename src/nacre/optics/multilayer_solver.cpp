@@ -138,7 +138,7 @@ void sample_indices(const LayerSystem& system, std::span<const double> wavelengt
     prepared.k.resize(prepared.n.size());
     for (std::size_t curve = 0; curve < system.curves.size(); ++curve) {
         const std::span n(prepared.n.data() + curve * count, count), k(prepared.k.data() + curve * count, count);
-        const std::size_t different = system.curves[curve].is_constant() ? 1 : count;
+        const std::size_t different = system.curves[curve].is_constant() ? std::min<std::size_t>(count, 1) : count;
         for (std::size_t i = 0; i < different; ++i) {
             const RefractiveIndex index = system.curves[curve].at(wavelength_nm[i]);
             n[i] = index.real();
@@ -148,8 +148,10 @@ void sample_indices(const LayerSystem& system, std::span<const double> wavelengt
             if (index.imag() != 0.0) lossless[curve] = 0;
             norms[curve].add(std::norm(index));
         }
-        std::fill(n.begin() + static_cast<std::ptrdiff_t>(different), n.end(), n.front());
-        std::fill(k.begin() + static_cast<std::ptrdiff_t>(different), k.end(), k.front());
+        for (std::size_t i = different; i < count; ++i) {
+            n[i] = n[0];
+            k[i] = k[0];
+        }
     }
     for (const Medium& medium : system.media) {
         const auto curve = static_cast<std::size_t>(medium.curve);

@@ -93,6 +93,8 @@ TEST(PickedColours, BlackFadesWhereItsNeighbourIs) {
     EXPECT_EQ(all[0].lobe.peak_nm, all[1].lobe.peak_nm);
     EXPECT_EQ(all[0].lobe.width_nm, all[1].lobe.width_nm);
     EXPECT_EQ(all[0].lobe.height, 0.0);
+    EXPECT_EQ(plan.materials.at(0).picked[0].lobe->peak_nm, all[0].lobe.peak_nm) << "as it is told";
+    EXPECT_EQ(plan.materials.at(0).picked[0].lobe->width_nm, all[0].lobe.width_nm);
     EXPECT_TRUE(plan.warnings.empty());
     const Plan night = plan_of(picks + "colour = \"#000\" }, { angle_deg = 30, colour = [0, 0, 0] } ]\n");
     EXPECT_EQ(palette_of(night).picks[1].lobe.height, 0.0);
@@ -106,10 +108,15 @@ TEST(PickedColours, ThatNoBandHasAreWarnedOfOrRefused) {
         << plan.warnings[0];
     EXPECT_NE(plan.warnings[0].find("no single band has that chromaticity"), std::string::npos);
     EXPECT_THROW(plan_of(purple, {{}, false, true}), Error);
-    const Plan bright = plan_of(
-        picks + "colour = [0.2, 1.8, 0.1], space = \"lin_rec709\" }, { angle_deg = 40, colour = \"#22cc22\" } ]\n");
-    ASSERT_EQ(bright.warnings.size(), 1u);
-    EXPECT_NE(bright.warnings[0].find("no band that reflects so much is so saturated"), std::string::npos);
+    for (const auto& [colour, why] : {std::pair{"[0.1, 1.3, 0.1]", "no band that reflects so much is so saturated"},
+                                      {"[0.2, 1.8, 0.1]", "nothing reflects more than all light"},
+                                      {"[2, 2, 2]", "nothing reflects more than all light"},
+                                      {"[-1, -1, -1]", "it is darker than black"}}) {
+        const Plan missed = plan_of(picks + "colour = " + colour +
+                                    ", space = \"lin_rec709\" }, { angle_deg = 40, colour = \"#22cc22\" } ]\n");
+        ASSERT_EQ(missed.warnings.size(), 1u);
+        EXPECT_NE(missed.warnings[0].find(why), std::string::npos) << missed.warnings[0];
+    }
 }
 
 struct Mistake {

@@ -2,6 +2,8 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <utility>
+#include <vector>
 
 #include "nacre/bake/mechanism_readers.h"
 #include "nacre/bake/text.h"
@@ -124,6 +126,7 @@ Palette read_palette(const Table& table, const SceneContext& context) {
         table.fail(picks->where,
                    "picks has " + std::to_string(list.size()) + " entries; allowed 1 to " + std::to_string(most_picks));
     }
+    std::vector<PickedColour> picked_colours;
     std::vector<std::size_t> black;
     for (const Value& element : list) {
         const Table& pick = table.checked_table("picks", element);
@@ -132,16 +135,22 @@ Palette read_palette(const Table& table, const SceneContext& context) {
             picked->pick = palette.picks.size();
             picked->angle_deg = angle_deg;
             find_band(context.picks, *picked);
-            context.note_picked(*picked);
             const LobeMatch& lobe = *picked->lobe;
             if (lobe.height == 0.0) black.push_back(picked->pick);
             palette.picks.push_back({angle_deg, {lobe.peak_nm, lobe.width_nm, lobe.height}});
+            picked_colours.push_back(std::move(*picked));
         } else {
             palette.picks.push_back({angle_deg, read_lobe(pick)});
         }
         pick.expect_all_read();
     }
     take_shape_of_neighbours(black, palette);
+    for (PickedColour& picked : picked_colours) {
+        const Lobe& lobe = palette.picks[picked.pick].lobe;
+        picked.lobe->peak_nm = lobe.peak_nm;
+        picked.lobe->width_nm = lobe.width_nm;
+        context.note_picked(picked);
+    }
     check_picks_differ(palette, table, picks->where);
     read_shape(table, context, palette);
     return palette;

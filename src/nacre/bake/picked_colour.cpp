@@ -58,10 +58,11 @@ bool PickedColour::is_met() const {
 
 namespace {
 
+constexpr double all_light = 1.0001;  // as Y, and rounding
+
 // Why no structure shows a colour, where physics says so at once.
 std::string reason(const PickedColour& picked) {
     constexpr double grazing_deg = 89.99;
-    constexpr double all_light = 1.0001;
     if (picked.mechanism == "grating") {
         if (picked.angle_deg == 0.0)
             return "nothing but the mirror's order 0 comes straight back, and that does not count";
@@ -81,6 +82,10 @@ std::string match_text(const PickedColour& picked) {
         if (picked.is_met()) return "met, CIEDE2000 " + significant_text(picked.de00, 2);
         if (!picked.is_searched) return away;
         return away + ", because " + reason(picked);
+    }
+    if (picked.lobe->miss != LobeMiss::none) {
+        if (picked.colour.y < 0.0) return away + ", because it is darker than black";
+        if (picked.colour.y > all_light) return away + ", because nothing reflects more than all light";
     }
     switch (picked.lobe->miss) {
         case LobeMiss::none:

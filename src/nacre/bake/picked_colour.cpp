@@ -77,7 +77,7 @@ std::string reason(const PickedColour& picked) {
 }  // namespace
 
 std::string match_text(const PickedColour& picked) {
-    const std::string away = "CIEDE2000 " + significant_text(picked.de00, 3) + " away";
+    std::string away = "CIEDE2000 " + significant_text(picked.de00, 3) + " away";
     if (!picked.lobe) {
         if (picked.is_met()) return "met, CIEDE2000 " + significant_text(picked.de00, 2);
         if (!picked.is_searched) return away;

@@ -127,7 +127,7 @@ Rated Objective::refined(const Design& start, SearchDetail detail) {
     if (detail == SearchDetail::table) return descended(start, shown_.sampling_for(mechanism, detail), few_steps);
     const Rated coarse = descended(start, shown_.sampling_for(mechanism, detail), many_steps);
     // What is too good to be true must not crowd out what is good.
-    const Rated fine = rated(coarse.design, SearchDetail::report);
+    Rated fine = rated(coarse.design, SearchDetail::report);
     constexpr double share = 0.02, settled_de00 = 0.01;
     if (std::abs(fine.error - coarse.error) < share * coarse.error + settled_de00) return fine;
     return descended(coarse.design, shown_.sampling_for(mechanism, SearchDetail::report), last_steps);

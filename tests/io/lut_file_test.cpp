@@ -12,9 +12,10 @@
 namespace nacre {
 namespace {
 
+// Not Rec. 709, which is what OpenEXR takes for granted.
 const LutHeader header{"nacre test",
-                       "lin_rec709_scene",
-                       std::array<float, 8>{0.64f, 0.33f, 0.3f, 0.6f, 0.15f, 0.06f, 0.3127f, 0.329f},
+                       "lin_p3d65_scene",
+                       std::array<float, 8>{0.68f, 0.32f, 0.265f, 0.69f, 0.15f, 0.06f, 0.3127f, 0.329f},
                        {{"scene", "nacre = 1\n\"quoted\"\n"}, {"version", "9"}}};
 
 Image<Rgb> gradient() {
@@ -39,7 +40,7 @@ TEST(LutFile, ComesBackWithItsHeaderAndTheFirstRowFirst) {
     EXPECT_EQ(lut.image.at(3, 1).g, -0.25);
     EXPECT_EQ(lut.image.at(1, 0).r, static_cast<double>(0.1f));
     EXPECT_EQ(lut.header.software, "nacre test");
-    EXPECT_EQ(lut.header.interop_id, "lin_rec709_scene");
+    EXPECT_EQ(lut.header.interop_id, "lin_p3d65_scene");
     EXPECT_EQ(lut.header.chromaticities, header.chromaticities);
     EXPECT_EQ(lut.header.value("scene"), "nacre = 1\n\"quoted\"\n");
     EXPECT_EQ(lut.header.value("none"), "");

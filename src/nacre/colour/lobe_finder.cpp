@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "nacre/colour/polished_lobe.h"
+#include "nacre/colour/xyz_sums.h"
 
 namespace nacre {
 namespace {
@@ -25,8 +26,7 @@ LobeFinder::LobeFinder(const TristimulusWeights& weights, const LobeMoments& mom
 }
 
 LobeMatch LobeFinder::match(const Lab& target, LobePlace place, double height) const {
-    const Xyz unit = colours_.exact(place);
-    const Lab lab = to_lab({height * unit.x, height * unit.y, height * unit.z}, white);
+    const Lab lab = to_lab(scaled(colours_.exact(place), height), white);
     return {place.peak_nm, place.width_nm(), height, ciede2000(target, lab), LobeMiss::none};
 }
 

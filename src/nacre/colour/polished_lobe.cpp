@@ -5,15 +5,15 @@
 #include <cmath>
 #include <span>
 
+#include "nacre/colour/xyz_sums.h"
+
 namespace nacre {
 namespace {
 
 constexpr Xyz white = xyz_from_chromaticity(d65_chromaticity);
 
 Lab lab_of(const LobeColours& colours, const DimmedLobe& lobe) {
-    const Xyz unit = colours.exact(lobe.place);
-    const double height = lobe.height();
-    return to_lab({height * unit.x, height * unit.y, height * unit.z}, white);
+    return to_lab(scaled(colours.exact(lobe.place), lobe.height()), white);
 }
 
 // Where a colour lies beside the hue that is opposite to the target's.

@@ -10,10 +10,10 @@
 #include "cli/commands.h"
 #include "cli/report.h"
 #include "cli/stop_signal.h"
-#include "io/font.h"
-#include "nacre/bake/names.h"
-#include "nacre/bake/output_names.h"
-#include "nacre/error.h"
+#include "io/image/font.h"
+#include "nacre/base/names.h"
+#include "nacre/scene/output_names.h"
+#include "nacre/base/error.h"
 
 namespace nacre {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "cli/loaded_scene.h"
 #include "cli/settled_luts.h"
-#include "io/output_folder.h"
+#include "io/disk/output_folder.h"
 
 namespace nacre {
 

@@ -7,7 +7,7 @@
 #include <cstring>
 #include <nlohmann/json.hpp>
 
-#include "nacre/error.h"
+#include "nacre/base/error.h"
 
 namespace nacre {
 namespace {

@@ -7,10 +7,10 @@
 #include "cli/report.h"
 #include "cli/settled_luts.h"
 #include "cli/stop_signal.h"
-#include "io/output_folder.h"
-#include "nacre/bake/names.h"
-#include "nacre/bake/text.h"
-#include "nacre/error.h"
+#include "io/disk/output_folder.h"
+#include "nacre/base/names.h"
+#include "nacre/base/text.h"
+#include "nacre/base/error.h"
 
 namespace nacre {
 namespace {

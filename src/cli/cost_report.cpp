@@ -4,11 +4,11 @@
 #include <array>
 #include <nlohmann/json.hpp>
 
-#include "cli/paper_pictures.h"
+#include "cli/figures/paper_pictures.h"
 #include "cli/report.h"
 #include "cli/text_table.h"
-#include "io/gnuplot.h"
-#include "nacre/bake/text.h"
+#include "io/image/gnuplot.h"
+#include "nacre/base/text.h"
 
 namespace nacre {
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "nacre/accuracy/cost.h"
+#include "nacre/cost/cost.h"
 
 namespace nacre {
 

@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "nacre/bake/mechanism_search.h"
+#include "nacre/pick/mechanism_search.h"
 
 namespace nacre {
 

@@ -4,11 +4,11 @@
 #include <algorithm>
 #include <cctype>
 
-#include "io/scene_file.h"
-#include "nacre/bake/hex_colour.h"
-#include "nacre/bake/names.h"
-#include "nacre/bake/text.h"
-#include "nacre/error.h"
+#include "io/scene/scene_file.h"
+#include "nacre/scene/hex_colour.h"
+#include "nacre/base/names.h"
+#include "nacre/base/text.h"
+#include "nacre/base/error.h"
 
 namespace nacre {
 namespace {

@@ -5,11 +5,11 @@
 #include "cli/loaded_scene.h"
 #include "cli/stop_signal.h"
 #include "cli/swatch_file.h"
-#include "io/font.h"
-#include "io/output_folder.h"
-#include "io/picked_colours.h"
-#include "io/scene_file.h"
-#include "nacre/error.h"
+#include "io/image/font.h"
+#include "io/disk/output_folder.h"
+#include "pipeline/picked_colours.h"
+#include "io/scene/scene_file.h"
+#include "nacre/base/error.h"
 
 namespace nacre {
 

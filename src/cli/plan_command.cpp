@@ -9,11 +9,11 @@
 #include "cli/settled_luts.h"
 #include "cli/stop_signal.h"
 #include "cli/text_table.h"
-#include "nacre/bake/catalogue.h"
-#include "nacre/bake/names.h"
-#include "nacre/bake/output_names.h"
-#include "nacre/bake/text.h"
-#include "nacre/error.h"
+#include "nacre/scene/catalogue.h"
+#include "nacre/base/names.h"
+#include "nacre/scene/output_names.h"
+#include "nacre/base/text.h"
+#include "nacre/base/error.h"
 
 namespace nacre {
 namespace {

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "nacre/accuracy/settle.h"
-#include "nacre/bake/plan.h"
+#include "nacre/scene/plan.h"
 
 namespace nacre {
 

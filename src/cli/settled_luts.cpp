@@ -8,8 +8,8 @@
 #include "cli/report.h"
 #include "cli/stop_signal.h"
 #include "cli/thread_clock.h"
-#include "nacre/bake/text.h"
-#include "nacre/error.h"
+#include "nacre/base/text.h"
+#include "nacre/base/error.h"
 
 namespace nacre {
 

@@ -1,5 +1,5 @@
 #include "cli/commands.h"
-#include "nacre/bake/snippet.h"
+#include "nacre/lut/snippet.h"
 
 namespace nacre {
 

@@ -6,13 +6,13 @@
 
 #include "cli/commands.h"
 #include "cli/stop_signal.h"
-#include "io/curve_csv.h"
-#include "io/picked_colours.h"
-#include "io/scene_file.h"
-#include "nacre/bake/bake.h"
-#include "nacre/bake/names.h"
-#include "nacre/bake/text.h"
-#include "nacre/error.h"
+#include "io/scene/curve_csv.h"
+#include "pipeline/picked_colours.h"
+#include "io/scene/scene_file.h"
+#include "nacre/lut/bake.h"
+#include "nacre/base/names.h"
+#include "nacre/base/text.h"
+#include "nacre/base/error.h"
 
 namespace nacre {
 namespace {

@@ -2,8 +2,8 @@
 
 #include <string_view>
 
-#include "io/swatch_png.h"
-#include "nacre/bake/swatch.h"
+#include "io/image/swatch_png.h"
+#include "nacre/swatch/swatch.h"
 
 namespace nacre {
 namespace {

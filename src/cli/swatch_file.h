@@ -3,8 +3,8 @@
 #include <filesystem>
 #include <string>
 
-#include "io/colour_transform.h"
-#include "nacre/bake/plan.h"
+#include "io/ocio/colour_transform.h"
+#include "nacre/scene/plan.h"
 
 namespace nacre {
 

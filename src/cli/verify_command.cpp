@@ -3,10 +3,10 @@
 #include "cli/commands.h"
 #include "cli/report.h"
 #include "cli/stop_signal.h"
-#include "io/verify_lut.h"
-#include "nacre/bake/names.h"
-#include "nacre/bake/text.h"
-#include "nacre/error.h"
+#include "pipeline/verify_lut.h"
+#include "nacre/base/names.h"
+#include "nacre/base/text.h"
+#include "nacre/base/error.h"
 
 namespace nacre {
 namespace {

@@ -20,8 +20,8 @@ install(FILES "${PROJECT_BINARY_DIR}/nacreConfig.cmake" "${PROJECT_BINARY_DIR}/n
 if(TARGET nacre_cli)
     install(TARGETS nacre_cli RUNTIME DESTINATION "${CMAKE_INSTALL_BINDIR}")
     if(BUILD_SHARED_LIBS)
-        install(TARGETS nacre_io LIBRARY DESTINATION "${CMAKE_INSTALL_LIBDIR}")
-        set_target_properties(nacre_cli nacre_io nacre PROPERTIES
+        install(TARGETS nacre_io nacre_pipeline LIBRARY DESTINATION "${CMAKE_INSTALL_LIBDIR}")
+        set_target_properties(nacre_cli nacre_pipeline nacre_io nacre PROPERTIES
             INSTALL_RPATH "$ORIGIN;$ORIGIN/../${CMAKE_INSTALL_LIBDIR}")
     endif()
 endif()

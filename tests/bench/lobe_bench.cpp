@@ -8,12 +8,12 @@
 #include <random>
 #include <vector>
 
-#include "io/least_squares.h"
-#include "nacre/accuracy/rivals.h"
-#include "nacre/bake/light.h"
+#include "io/ceres_solver.h"
+#include "nacre/cost/rivals.h"
+#include "nacre/colour/light.h"
 #include "nacre/colour/difference.h"
 #include "nacre/colour/illuminant.h"
-#include "nacre/colour/lobe_finder.h"
+#include "nacre/pick/lobe/lobe_finder.h"
 #include "nacre/colour/lobe_moments.h"
 #include "nacre/colour/tristimulus.h"
 #include "nacre/optics/lobe.h"

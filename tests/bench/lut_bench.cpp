@@ -1,9 +1,9 @@
 // A default LUT: computed, converted, encoded.
 #include <benchmark/benchmark.h>
 
-#include "io/baked_lut.h"
-#include "nacre/bake/bake.h"
-#include "nacre/bake/snippet.h"
+#include "pipeline/baked_lut.h"
+#include "nacre/lut/bake.h"
+#include "nacre/lut/snippet.h"
 #include "nacre/colour/illuminant.h"
 
 namespace nacre {

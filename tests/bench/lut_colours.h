@@ -7,9 +7,9 @@
 #include <memory>
 #include <vector>
 
-#include "nacre/bake/bake.h"
-#include "nacre/bake/colour_distance.h"
-#include "nacre/bake/sampler.h"
+#include "nacre/lut/bake.h"
+#include "nacre/colour/colour_distance.h"
+#include "nacre/lut/sampler.h"
 #include "nacre/colour/illuminant.h"
 
 /// What benchmarks of LUTs share.

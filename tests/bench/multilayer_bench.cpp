@@ -13,12 +13,12 @@
 #include <optional>
 #include <vector>
 
-#include "io/baked_lut.h"
-#include "nacre/accuracy/rivals.h"
-#include "nacre/bake/bake.h"
-#include "nacre/bake/layered_colour.h"
+#include "pipeline/baked_lut.h"
+#include "nacre/cost/rivals.h"
+#include "nacre/lut/bake.h"
+#include "nacre/shade/layered_colour.h"
 #include "nacre/colour/illuminant.h"
-#include "nacre/optics/multilayer.h"
+#include "nacre/optics/multilayer/multilayer.h"
 
 namespace nacre {
 namespace {

@@ -7,11 +7,11 @@
 #include <string>
 #include <vector>
 
-#include "io/least_squares.h"
-#include "io/scene_file.h"
-#include "nacre/bake/plan.h"
-#include "nacre/fit/find_mechanism.h"
-#include "nacre/fit/shown_colours.h"
+#include "io/ceres_solver.h"
+#include "io/scene/scene_file.h"
+#include "nacre/scene/plan.h"
+#include "nacre/pick/find_mechanism.h"
+#include "nacre/pick/shown_colours.h"
 
 namespace nacre::bench {
 namespace {

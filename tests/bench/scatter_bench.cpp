@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "bench/lut_colours.h"
-#include "nacre/accuracy/rivals.h"
-#include "nacre/bake/scatter_colour.h"
+#include "nacre/cost/rivals.h"
+#include "nacre/shade/scatter_colour.h"
 #include "nacre/optics/mie.h"
 
 namespace nacre::bench {

@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "io/lut_file.h"
+#include "io/image/lut_file.h"
 #include "support/program.h"
 
 namespace nacre::test {

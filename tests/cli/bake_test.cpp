@@ -11,8 +11,8 @@
 #include <regex>
 #include <tuple>
 
-#include "io/hash.h"
-#include "io/lut_file.h"
+#include "io/disk/hash.h"
+#include "io/image/lut_file.h"
 #include "support/program.h"
 
 namespace nacre::test {

@@ -23,8 +23,8 @@
 #include <vector>
 
 #include "nacre/accuracy/settle.h"
-#include "nacre/bake/bake.h"
-#include "nacre/bake/effects.h"
+#include "nacre/lut/bake.h"
+#include "nacre/material/effects.h"
 #include "nacre/colour/illuminant.h"
 #include "reference/dense_layers.h"
 #include "reference/dense_model.h"

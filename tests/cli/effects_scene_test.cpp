@@ -8,14 +8,14 @@
 #include <string>
 #include <vector>
 
-#include "io/curve_csv.h"
-#include "io/scene_file.h"
-#include "io/spectra_csv.h"
-#include "nacre/bake/base_reader.h"
-#include "nacre/bake/mechanism.h"
-#include "nacre/bake/plan.h"
-#include "nacre/bake/scene_context.h"
-#include "nacre/error.h"
+#include "io/scene/curve_csv.h"
+#include "io/scene/scene_file.h"
+#include "io/scene/spectra_csv.h"
+#include "nacre/scene/readers/base_reader.h"
+#include "nacre/material/mechanism.h"
+#include "nacre/scene/plan.h"
+#include "nacre/scene/scene_context.h"
+#include "nacre/base/error.h"
 #include "support/program.h"
 
 namespace nacre::test {

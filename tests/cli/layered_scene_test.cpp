@@ -5,10 +5,10 @@
 #include <nlohmann/json.hpp>
 #include <ostream>
 
-#include "io/scene_file.h"
-#include "nacre/bake/bake.h"
-#include "nacre/bake/sampler.h"
-#include "nacre/error.h"
+#include "io/scene/scene_file.h"
+#include "nacre/lut/bake.h"
+#include "nacre/lut/sampler.h"
+#include "nacre/base/error.h"
 #include "support/program.h"
 
 namespace nacre::test {

@@ -9,12 +9,12 @@
 #include <string>
 #include <vector>
 
-#include "io/colour_config.h"
-#include "io/picked_colours.h"
-#include "io/scene_file.h"
-#include "nacre/bake/light.h"
+#include "io/ocio/colour_config.h"
+#include "pipeline/picked_colours.h"
+#include "io/scene/scene_file.h"
+#include "nacre/colour/light.h"
 #include "nacre/colour/illuminant.h"
-#include "nacre/error.h"
+#include "nacre/base/error.h"
 #include "support/program.h"
 
 namespace nacre::test {

@@ -6,7 +6,7 @@
 #include <numbers>
 #include <sstream>
 
-#include "nacre/bake/bake.h"
+#include "nacre/lut/bake.h"
 #include "nacre/colour/illuminant.h"
 #include "support/program.h"
 

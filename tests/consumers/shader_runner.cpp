@@ -6,7 +6,7 @@
 #include <stdexcept>
 
 #include "consumers/gl_context.h"
-#include "nacre/bake/snippet.h"
+#include "nacre/lut/snippet.h"
 
 namespace nacre::testing {
 namespace {

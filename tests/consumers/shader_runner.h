@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "consumers/shader_tools.h"
-#include "nacre/bake/image.h"
+#include "nacre/base/image.h"
 #include "nacre/colour/colour_types.h"
 
 namespace nacre::testing {

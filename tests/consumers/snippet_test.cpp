@@ -1,5 +1,5 @@
 // The snippet as engines use it: compiled by other people's compilers, drawn by a graphics pipeline.
-#include "nacre/bake/snippet.h"
+#include "nacre/lut/snippet.h"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@
 #include <sstream>
 
 #include "consumers/shader_runner.h"
-#include "nacre/bake/axis_kinds.h"
+#include "nacre/lut/axis_kinds.h"
 
 namespace nacre::testing {
 namespace {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "nacre/optics/layer_system.h"
-#include "nacre/optics/multilayer.h"
+#include "nacre/optics/multilayer/multilayer.h"
 
 namespace nacre::hard_cases {
 

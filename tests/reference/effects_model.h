@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "nacre/bake/mechanism.h"
+#include "nacre/material/mechanism.h"
 #include "reference/dense_model.h"
 
 namespace nacre::reference {

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "nacre/bake/mechanism.h"
+#include "nacre/material/mechanism.h"
 
 namespace nacre::reference {
 

@@ -10,8 +10,8 @@
 #include <utility>
 #include <vector>
 
-#include "nacre/accuracy/fetch.h"
-#include "nacre/bake/bake.h"
+#include "nacre/lut/fetch.h"
+#include "nacre/lut/bake.h"
 #include "nacre/colour/difference.h"
 #include "nacre/colour/illuminant.h"
 #include "support/test_encoding.h"

@@ -5,7 +5,7 @@
 #include <glm/matrix.hpp>
 #include <limits>
 
-#include "nacre/accuracy/encoding.h"
+#include "nacre/lut/encoding.h"
 #include "nacre/colour/adaptation.h"
 #include "nacre/colour/rgb_space.h"
 

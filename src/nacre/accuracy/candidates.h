@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "nacre/bake/plan.h"
+#include "nacre/scene/plan.h"
 
 namespace nacre {
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <array>
 
-#include "nacre/bake/sampler.h"
-#include "nacre/bake/spectral_sampling.h"
+#include "nacre/lut/sampler.h"
+#include "nacre/shade/spectral_sampling.h"
 
 namespace nacre {
 namespace {

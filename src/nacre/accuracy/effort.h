@@ -2,8 +2,8 @@
 
 #include <cstdint>
 
-#include "nacre/bake/plan.h"
-#include "nacre/bake/work.h"
+#include "nacre/scene/plan.h"
+#include "nacre/shade/work.h"
 
 namespace nacre {
 

@@ -7,8 +7,8 @@
 
 #include "nacre/accuracy/reference.h"
 #include "nacre/accuracy/trial.h"
-#include "nacre/bake/layered_colour.h"
-#include "nacre/bake/sampler.h"
+#include "nacre/shade/layered_colour.h"
+#include "nacre/lut/sampler.h"
 
 namespace nacre {
 namespace {

@@ -3,10 +3,10 @@
 #include <cstddef>
 #include <span>
 
-#include "nacre/accuracy/encoding.h"
-#include "nacre/accuracy/fetch.h"
-#include "nacre/bake/plan.h"
-#include "nacre/bake/work.h"
+#include "nacre/lut/encoding.h"
+#include "nacre/lut/fetch.h"
+#include "nacre/scene/plan.h"
+#include "nacre/shade/work.h"
 
 namespace nacre {
 

@@ -2,7 +2,7 @@
 
 #include "nacre/accuracy/scan.h"
 #include "nacre/accuracy/trial.h"
-#include "nacre/bake/sampler.h"
+#include "nacre/lut/sampler.h"
 
 namespace nacre {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "nacre/bake/text.h"
+#include "nacre/base/text.h"
 
 namespace nacre {
 namespace {

@@ -6,9 +6,9 @@
 #include <cstddef>
 #include <numbers>
 
-#include "nacre/bake/bake.h"
-#include "nacre/bake/layered_colour.h"
-#include "nacre/bake/sampler.h"
+#include "nacre/lut/bake.h"
+#include "nacre/shade/layered_colour.h"
+#include "nacre/lut/sampler.h"
 #include "nacre/colour/cie_tables.h"
 #include "nacre/optics/reversed.h"
 

@@ -5,8 +5,8 @@
 #include <utility>
 #include <vector>
 
-#include "nacre/bake/plan.h"
-#include "nacre/bake/xyz_curve.h"
+#include "nacre/scene/plan.h"
+#include "nacre/colour/xyz_curve.h"
 #include "nacre/colour/colour_types.h"
 
 namespace nacre {

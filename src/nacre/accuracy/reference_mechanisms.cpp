@@ -4,9 +4,9 @@
 #include <numbers>
 
 #include "nacre/accuracy/reference.h"
-#include "nacre/bake/bends.h"
-#include "nacre/bake/colour_distance.h"
-#include "nacre/bake/sampler.h"
+#include "nacre/shade/bends.h"
+#include "nacre/colour/colour_distance.h"
+#include "nacre/lut/sampler.h"
 
 namespace nacre {
 namespace {

@@ -5,7 +5,7 @@
 #include <cstddef>
 
 #include "nacre/accuracy/effort.h"
-#include "nacre/bake/bends.h"
+#include "nacre/shade/bends.h"
 
 namespace nacre {
 namespace {

@@ -13,7 +13,7 @@
 #include "nacre/accuracy/effort.h"
 #include "nacre/accuracy/obstacle.h"
 #include "nacre/accuracy/scan.h"
-#include "nacre/error.h"
+#include "nacre/base/error.h"
 
 namespace nacre {
 namespace {

@@ -3,11 +3,11 @@
 #include <string>
 #include <vector>
 
-#include "nacre/accuracy/encoding.h"
-#include "nacre/accuracy/fetch.h"
-#include "nacre/bake/bake.h"
-#include "nacre/bake/plan.h"
-#include "nacre/bake/work.h"
+#include "nacre/lut/encoding.h"
+#include "nacre/lut/fetch.h"
+#include "nacre/lut/bake.h"
+#include "nacre/scene/plan.h"
+#include "nacre/shade/work.h"
 
 namespace nacre {
 

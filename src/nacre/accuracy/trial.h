@@ -4,11 +4,11 @@
 #include <span>
 #include <vector>
 
-#include "nacre/accuracy/encoding.h"
-#include "nacre/accuracy/fetch.h"
+#include "nacre/lut/encoding.h"
+#include "nacre/lut/fetch.h"
 #include "nacre/accuracy/model_curve.h"
-#include "nacre/bake/bake.h"
-#include "nacre/bake/sampler.h"
+#include "nacre/lut/bake.h"
+#include "nacre/lut/sampler.h"
 #include "nacre/colour/difference.h"
 
 namespace nacre {

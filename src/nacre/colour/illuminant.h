@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-#include "nacre/sampled_curve.h"
+#include "nacre/base/sampled_curve.h"
 
 namespace nacre {
 

@@ -4,8 +4,8 @@
 
 #include "nacre/colour/colour_types.h"
 #include "nacre/colour/observer.h"
-#include "nacre/sampled_curve.h"
-#include "nacre/spectrum.h"
+#include "nacre/base/sampled_curve.h"
+#include "nacre/base/spectrum.h"
 
 namespace nacre {
 

@@ -5,7 +5,7 @@
 #include <variant>
 
 #include "nacre/optics/refractive_index.h"
-#include "nacre/sampled_curve.h"
+#include "nacre/base/sampled_curve.h"
 
 namespace nacre {
 

@@ -8,7 +8,7 @@
 #include <numeric>
 #include <utility>
 
-#include "nacre/optics/gauss_points.h"
+#include "nacre/base/gauss_points.h"
 
 namespace nacre {
 namespace {

@@ -8,7 +8,7 @@
 #include <variant>
 #include <vector>
 
-#include "nacre/sampled_curve.h"
+#include "nacre/base/sampled_curve.h"
 
 namespace nacre {
 

@@ -6,7 +6,7 @@
 #include <complex>
 #include <numbers>
 
-#include "nacre/optics/gauss_points.h"
+#include "nacre/base/gauss_points.h"
 #include "nacre/optics/structure_factor.h"
 
 namespace nacre {

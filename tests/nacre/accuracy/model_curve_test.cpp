@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "nacre/accuracy/trial.h"
-#include "nacre/bake/sampler.h"
+#include "nacre/lut/sampler.h"
 #include "nacre/colour/illuminant.h"
 
 namespace nacre {

@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "nacre/accuracy/scan.h"
-#include "nacre/error.h"
+#include "nacre/base/error.h"
 #include "support/palette_luts.h"
 
 namespace nacre {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "nacre/colour/illuminant.h"
-#include "nacre/colour/many_differences.h"
+#include "nacre/pick/lobe/many_differences.h"
 #include "nacre/colour/tristimulus.h"
 
 namespace nacre {

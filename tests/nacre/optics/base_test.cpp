@@ -9,7 +9,7 @@
 #include <numbers>
 #include <vector>
 
-#include "nacre/optics/multilayer.h"
+#include "nacre/optics/multilayer/multilayer.h"
 #include "nacre/optics/reversed.h"
 
 namespace nacre {

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "nacre/optics/multilayer.h"
+#include "nacre/optics/multilayer/multilayer.h"
 
 namespace nacre {
 namespace {

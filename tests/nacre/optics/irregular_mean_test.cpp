@@ -10,7 +10,7 @@
 
 #include "nacre/optics/incidence.h"
 #include "nacre/optics/irregular.h"
-#include "nacre/optics/multilayer.h"
+#include "nacre/optics/multilayer/multilayer.h"
 
 namespace nacre {
 namespace {

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "nacre/optics/incidence.h"
-#include "nacre/optics/multilayer.h"
+#include "nacre/optics/multilayer/multilayer.h"
 
 namespace nacre {
 namespace {

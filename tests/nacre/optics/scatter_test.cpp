@@ -10,7 +10,7 @@
 #include <numbers>
 #include <vector>
 
-#include "nacre/optics/gauss_points.h"
+#include "nacre/base/gauss_points.h"
 #include "nacre/optics/structure_factor.h"
 #include "reference/number.h"
 

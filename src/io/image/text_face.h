@@ -1,0 +1,46 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "nacre/base/image.h"
+
+namespace nacre {
+
+/// A line of text as coverage: how much of each pixel the letters cover, in [0, 1].
+struct TextPixels {
+    int left = 0;  ///< of the image, relative to the start of the baseline
+    int top = 0;   ///< likewise; negative: above it
+    Image<float> coverage;
+};
+
+/// A font that OpenImageIO draws text with.
+///
+/// What its render_text() cannot draw up to version 2.4 is drawn as best it can be: a degree sign as a small raised o,
+/// any other letter beyond ASCII as a question mark. May be used from many threads; OpenImageIO lets one of them draw
+/// at a time.
+class TextFace {
+public:
+    /// @throws IoError if the file is no font
+    explicit TextFace(std::string file);
+
+    /// In pixels, from the start of the first letter's space to the end of the last one's.
+    /// @param text  UTF-8
+    int width_px(std::string_view text, int size_px) const;
+    TextPixels draw(std::string_view text, int size_px) const;
+
+private:
+    std::string file_;
+};
+
+/// A letter of UTF-8 and how many bytes it takes; every byte that is no part of a letter is a U+FFFD of its own.
+struct Letter {
+    char32_t code;
+    std::size_t bytes;
+    friend bool operator==(const Letter&, const Letter&) = default;
+};
+std::vector<Letter> letters_of(std::string_view utf8);
+
+}  // namespace nacre

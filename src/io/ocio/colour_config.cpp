@@ -1,0 +1,233 @@
+#include "io/ocio/colour_config.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <utility>
+
+#include "io/ocio/colour_entrance.h"
+#include "io/disk/hash.h"
+#include "io/ocio/known_spaces.h"
+#include "nacre/base/names.h"
+#include "nacre/base/error.h"
+
+namespace nacre {
+
+struct ColourConfig::Impl {
+    OpenedConfig opened;
+    std::string hash;
+};
+
+namespace {
+
+std::string read_config(const std::string& path, const std::string& where) {
+    constexpr std::size_t longest = std::size_t{16} << 20U;
+    const std::string what = where + ": OCIO config " + in_quotes(path);
+    std::error_code failure;
+    if (std::filesystem::is_directory(path, failure)) throw Error(what + " is a folder; name the config.ocio in it");
+    const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"), &std::fclose);
+    if (!file) throw Error(what + " cannot be read (" + std::strerror(errno) + "); name a readable config.ocio");
+    std::string text(longest + 1, '\0');
+    text.resize(std::fread(text.data(), 1, text.size(), file.get()));
+    if (std::ferror(file.get()) != 0) throw Error(what + " cannot be read; name a readable config.ocio");
+    if (text.empty()) throw Error(what + " is empty; an OCIO config begins with ocio_profile_version");
+    if (text.size() > longest) throw Error(what + " is longer than 16 MiB; that is the limit");
+    return text;
+}
+
+// OpenColorIO begins with the path, which our message has.
+std::string_view after(std::string_view message, std::string_view preamble) {
+    const auto at = message.find(preamble);
+    return at == std::string_view::npos ? message : message.substr(at + preamble.size());
+}
+
+ColourConfig::Impl open_builtin() {
+    return {{builtin_config(), "nacre (built in)", {}}, hash_text(builtin_ocio_config)};
+}
+
+ColourConfig::Impl open_file(const std::string& path, const std::string& where) {
+    // Newer OpenColorIO has configs inside itself under such names.
+    const bool inside_ocio = path.starts_with("ocio://");
+    const std::string text = inside_ocio ? std::string() : read_config(path, where);
+    try {
+        const OCIO::ConstConfigRcPtr config = OCIO::Config::CreateFromFile(path.c_str());
+        const std::string file = inside_ocio ? path : std::filesystem::path(path).filename().string();
+        const std::string name = config->getName();
+        return {{config, name.empty() ? file : file + " (" + name + ")", {}}, hash_text(inside_ocio ? path : text)};
+    } catch (const OCIO::Exception& e) {
+        throw Error(where + ": OCIO config " + in_quotes(path) +
+                    " is refused: " + one_line(after(e.what(), "' failed.")) + "; allowed is what OpenColorIO " +
+                    OCIO::GetVersion() + " reads");
+    }
+}
+
+std::vector<std::string> all_displays(const OCIO::ConstConfigRcPtr& config) {
+    std::vector<std::string> names;
+    for (int i = 0; i < config->getNumDisplaysAll(); ++i) names.emplace_back(config->getDisplayAll(i));
+    return names;
+}
+
+std::vector<std::string> active_views(const OCIO::ConstConfigRcPtr& config, const std::string& display) {
+    std::vector<std::string> names;
+    const int count = config->getNumViews(display.c_str());
+    for (int i = 0; i < count; ++i) names.emplace_back(config->getView(display.c_str(), i));
+    return names;
+}
+
+// The colour space that a view ends in; nothing for an unknown view.
+OCIO::ConstColorSpaceRcPtr space_of_view(const OCIO::ConstConfigRcPtr& config, const std::string& display,
+                                         const std::string& view) {
+    std::string name = config->getDisplayViewColorSpaceName(display.c_str(), view.c_str());
+    // A shared view may leave the space open: it is then the one with the name of the display.
+    if (name == OCIO::OCIO_VIEW_USE_DISPLAY_NAME) name = display;
+    return name.empty() ? nullptr : config->getColorSpace(name.c_str());
+}
+
+std::string resolve_display(const OpenedConfig& opened, const std::string& display, const std::string& where) {
+    const std::vector<std::string> known = all_displays(opened.config);
+    if (known.empty()) {
+        throw Error(where + ": config " + in_quotes(opened.description) +
+                    " has no displays; swatches need a config with a display and a view");
+    }
+    if (display.empty()) return opened.config->getDefaultDisplay();
+    if (std::find(known.begin(), known.end(), display) == known.end()) {
+        throw Error(where + ": unknown display " + in_quotes(display) + " in config " + in_quotes(opened.description) +
+                    "; known: " + comma_separated(known));
+    }
+    return display;
+}
+
+std::string resolve_view(const OpenedConfig& opened, const std::string& display, const std::string& view,
+                         const std::string& where) {
+    const OCIO::ConstConfigRcPtr& config = opened.config;
+    std::string wanted = view.empty() ? config->getDefaultView(display.c_str()) : view;
+    const auto space = space_of_view(config, display, wanted);
+    if (space && !space->isData()) return wanted;
+    std::vector<std::string> usable;
+    for (const std::string& name : active_views(config, display)) {
+        const auto other = space_of_view(config, display, name);
+        if (other && !other->isData()) usable.push_back(name);
+    }
+    throw Error(where + ": " +
+                (space ? "view " + in_quotes(wanted) + " shows data unconverted on"
+                       : "unknown view " + in_quotes(wanted) + " of") +
+                " display " + in_quotes(display) + " in config " + in_quotes(opened.description) +
+                (usable.empty() ? "; it has no view that converts" : "; known: " + comma_separated(usable)));
+}
+
+// Role scene_linear is where most configs do their work: a wrong entrance shows there when no well-known name does.
+void check_scene_linear(const OpenedConfig& opened, const Entrance& entrance, const std::string& where) {
+    const auto space = opened.config->getColorSpace(OCIO::ROLE_SCENE_LINEAR);
+    if (!space || space->isData() || space->getReferenceSpaceType() != OCIO::REFERENCE_SPACE_SCENE) return;
+    const Conversion conversion = make_conversion(opened.config, road_to_space(entrance, space->getName()));
+    check_neutral(opened, entrance, conversion, space->getName(), where);
+}
+
+// Encoding of what a view makes: by the road to its colour space, past the view transform. "" if there is no such road.
+std::string interop_id_of_view(const OpenedConfig& opened, const OCIO::ConstColorSpaceRcPtr& space,
+                               const std::string& where) {
+    try {
+        const OCIO::ReferenceSpaceType side = space->getReferenceSpaceType();
+        const auto road = road_to_space(find_entrance(opened, side, where), space->getName());
+        return interop_id_of(make_conversion(opened.config, road), side);
+    } catch (const Error&) {
+        return {};
+    }
+}
+
+[[noreturn]] void throw_refused(const OpenedConfig& opened, const std::string& target, const std::string& message,
+                                const std::string& where) {
+    throw Error(where + ": config " + in_quotes(opened.description) + " cannot convert to " + in_quotes(target) + ": " +
+                one_line(message) + "; choose another target or correct the config");
+}
+
+}  // namespace
+
+ColourConfig::ColourConfig(std::shared_ptr<const Impl> impl) : impl_(std::move(impl)) {}
+
+ColourConfig ColourConfig::open(const ColourConfigChoice& choice) {
+    silence_ocio();
+    const char* const variable = std::getenv("OCIO");
+    const bool from_environment = choice.path.empty() && variable != nullptr && *variable != '\0';
+    Impl impl = from_environment       ? open_file(variable, "$OCIO")
+                : !choice.path.empty() ? open_file(choice.path, choice.where)
+                                       : open_builtin();
+    impl.opened.interchange = choice.interchange;
+    return ColourConfig(std::make_shared<const Impl>(std::move(impl)));
+}
+
+const std::string& ColourConfig::description() const {
+    return impl_->opened.description;
+}
+const std::string& ColourConfig::content_hash() const {
+    return impl_->hash;
+}
+
+std::vector<std::string> ColourConfig::colour_spaces() const {
+    return space_names(impl_->opened.config, OCIO::COLORSPACE_ACTIVE);
+}
+
+std::vector<std::string> ColourConfig::displays() const {
+    std::vector<std::string> names;
+    for (int i = 0; i < impl_->opened.config->getNumDisplays(); ++i)
+        names.emplace_back(impl_->opened.config->getDisplay(i));
+    return names;
+}
+
+std::vector<std::string> ColourConfig::views(const std::string& display) const {
+    return active_views(impl_->opened.config, resolve_display(impl_->opened, display, "views"));
+}
+
+ColourTransform ColourConfig::to_colour_space(const std::string& name, const std::string& where) const {
+    const OpenedConfig& opened = impl_->opened;
+    const auto space = opened.config->getColorSpace(name.c_str());
+    if (!space) throw_unknown_space(opened, name, where);
+    if (space->isData()) {
+        throw Error(where + ": " + in_quotes(space->getName()) + " is a data space of config " +
+                    in_quotes(opened.description) + "; a colour space is needed");
+    }
+    try {
+        const OCIO::ReferenceSpaceType side = space->getReferenceSpaceType();
+        const Entrance entrance = find_entrance(opened, side, where);
+        auto impl = std::make_shared<ColourTransform::Impl>();
+        impl->target = space->getName();
+        impl->conversion = make_conversion_with_ctf(opened.config, road_to_space(entrance, impl->target), where);
+        impl->interop_id = interop_id_of(impl->conversion, side);
+        // XYZ itself is the one space in which white is rightly not neutral.
+        if (!changes_nothing(impl->conversion)) {
+            if (side == OCIO::REFERENCE_SPACE_SCENE) check_scene_linear(opened, entrance, where);
+            check_neutral(opened, entrance, impl->conversion, impl->target, where);
+        }
+        return ColourTransform(std::move(impl));
+    } catch (const OCIO::Exception& e) {
+        throw_refused(opened, name, e.what(), where);
+    }
+}
+
+ColourTransform ColourConfig::to_display(const std::string& display, const std::string& view,
+                                         const std::string& where) const {
+    const OpenedConfig& opened = impl_->opened;
+    auto impl = std::make_shared<ColourTransform::Impl>();
+    impl->display = resolve_display(opened, display, where);
+    impl->view = resolve_view(opened, impl->display, view, where);
+    impl->target = impl->display + " / " + impl->view;
+    try {
+        // The white of a view is its own business (some simulate a warm one): only the entrance is checked.
+        const Entrance entrance = find_entrance(opened, OCIO::REFERENCE_SPACE_SCENE, where);
+        check_scene_linear(opened, entrance, where);
+        auto last = OCIO::DisplayViewTransform::Create();
+        last->setSrc(entrance.space.c_str());
+        last->setDisplay(impl->display.c_str());
+        last->setView(impl->view.c_str());
+        impl->conversion = make_conversion_with_ctf(opened.config, road_through(entrance, last), where);
+        impl->interop_id = interop_id_of_view(opened, space_of_view(opened.config, impl->display, impl->view), where);
+        return ColourTransform(std::move(impl));
+    } catch (const OCIO::Exception& e) {
+        throw_refused(opened, impl->target, e.what(), where);
+    }
+}
+
+}  // namespace nacre

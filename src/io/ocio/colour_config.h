@@ -1,0 +1,67 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "io/ocio/colour_transform.h"
+
+namespace nacre {
+
+/// Which OpenColorIO config to open, and how XYZ gets into it.
+struct ColourConfigChoice {
+    std::string path;         ///< a config file; empty means $OCIO, and where that is unset or empty too, ours
+    std::string interchange;  ///< name of a space of the config that is CIE XYZ D65; wins over the roles. May be empty
+    std::string where;        ///< who asked, for messages: "scene.toml:3", "--ocio"
+};
+
+/// An OpenColorIO config, and the way into it for CIE XYZ under D65. Immutable, cheap to copy.
+///
+/// The way in, on the scene's side (for scene-referred spaces, displays and views):
+///   1. the space named by `interchange`,
+///   2. role cie_xyz_d65_interchange, if it is scene-referred,
+///   3. role aces_interchange, after our own XYZ D65 -> ACES2065-1 (Bradford),
+///   4. role cie_xyz_d65_interchange, display-referred, if the config's default view transform is only a matrix.
+/// OpenColorIO wants cie_xyz_d65_interchange to be display-referred; from there to the scene it would run the default
+/// view transform backwards, and that may be a tone map. Hence the order of 3 and 4, and the condition.
+/// For display-referred spaces 2 and 4 change places: neither road leads through a view transform, which belongs to
+/// to_display() only.
+///
+/// Published configs exist whose roles are wrong. So before the first conversion (a) the well-known linear spaces that
+/// the config names as we do must agree with ours on saturated colours, (b) where there is none but both roles are,
+/// they must agree with each other, and (c) white and 18 % grey must come out neutral, within 1e-3, in the target
+/// and in role scene_linear.
+class ColourConfig {
+public:
+    /// Opens the config; silences OpenColorIO's own logging for the whole process, once.
+    /// @throws Error if the file cannot be read or is no config that this OpenColorIO understands
+    static ColourConfig open(const ColourConfigChoice& choice);
+
+    /// "nacre (built in)", or "FILE (NAME)" without the folder.
+    const std::string& description() const;
+    /// XXH3, 128 bits as 32 hex digits, of the config's text; files that the config refers to do not count.
+    const std::string& content_hash() const;
+
+    /// The active ones, scene-referred first, otherwise in the config's order; data left out.
+    std::vector<std::string> colour_spaces() const;
+    std::vector<std::string> displays() const;
+    /// @throws Error for an unknown display
+    std::vector<std::string> views(const std::string& display) const;
+
+    /// @param name   a colour space, active or not, one of its aliases, or a role
+    /// @param where  for messages
+    /// @throws Error for an unknown name (the nearest are offered), a data space, no or a wrong way in
+    ColourTransform to_colour_space(const std::string& name, const std::string& where) const;
+
+    /// @param display,view  empty for the config's default
+    /// @throws Error for unknown names (the known are listed), a view of data, no or a wrong way in
+    ColourTransform to_display(const std::string& display, const std::string& view, const std::string& where) const;
+
+    struct Impl;
+    explicit ColourConfig(std::shared_ptr<const Impl> impl);
+
+private:
+    std::shared_ptr<const Impl> impl_;
+};
+
+}  // namespace nacre

@@ -1,0 +1,246 @@
+#include "io/ocio/colour_entrance.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <optional>
+#include <vector>
+
+#include "io/ocio/known_spaces.h"
+#include "nacre/base/names.h"
+#include "nacre/base/error.h"
+
+namespace nacre {
+namespace {
+
+constexpr const char* role_xyz = "cie_xyz_d65_interchange";
+constexpr const char* role_ap0 = "aces_interchange";
+
+// Between an honest config and a wrong one. Honest ones differ from ours by some 1e-14 if they adapt ACES white by
+// Bradford, and by 0.0036 if by CAT02; AP1 taken for AP0 differs by 0.31 (all measured over the probes).
+constexpr double entrance_tolerance = 0.01;
+constexpr double neutral_tolerance = 1e-3;
+
+std::string advice() {
+    return "; correct the config, or name its scene-referred CIE XYZ D65 space as `interchange`";
+}
+
+std::string numbers(const Rgb& colour) {
+    std::array<char, 96> text{};
+    const auto no_minus_zero = [](double value) { return std::abs(value) < 0.0005 ? 0.0 : value; };
+    std::snprintf(text.data(), text.size(), "(%.3f, %.3f, %.3f)", no_minus_zero(colour.r), no_minus_zero(colour.g),
+                  no_minus_zero(colour.b));
+    return text.data();
+}
+
+std::optional<Entrance> by_role(const OpenedConfig& opened, const char* role, const std::string& where) {
+    if (!opened.config->hasRole(role)) return std::nullopt;
+    const auto space = opened.config->getColorSpace(role);
+    if (!space || space->isData()) {
+        throw Error(where + ": role " + in_quotes(role) + " of config " + in_quotes(opened.description) +
+                    " names no colour space" + advice());
+    }
+    Entrance entrance;
+    entrance.space = space->getName();
+    entrance.how = "role " + in_quotes(role) + " (" + in_quotes(space->getName()) + ")";
+    entrance.takes_ap0 = std::string_view(role) == role_ap0;
+    return entrance;
+}
+
+Entrance by_name(const OpenedConfig& opened, const std::string& where) {
+    const auto space = opened.config->getColorSpace(opened.interchange.c_str());
+    if (!space) throw_unknown_space(opened, opened.interchange, where);
+    if (space->isData()) {
+        throw Error(where + ": interchange " + in_quotes(opened.interchange) + " is a data space of config " +
+                    in_quotes(opened.description) + "; it must be CIE XYZ D65");
+    }
+    Entrance entrance;
+    entrance.space = space->getName();
+    entrance.how = "interchange " + in_quotes(space->getName());
+    return entrance;
+}
+
+OCIO::ReferenceSpaceType side_of(const OpenedConfig& opened, const std::string& space) {
+    return opened.config->getColorSpace(space.c_str())->getReferenceSpaceType();
+}
+
+// The order of preference. Of the two roles the one on the target's own side, if there is one.
+Entrance choose_entrance(const OpenedConfig& opened, OCIO::ReferenceSpaceType side, const std::string& where) {
+    if (!opened.interchange.empty()) return by_name(opened, where);
+    const auto xyz = by_role(opened, role_xyz, where);
+    if (xyz && side_of(opened, xyz->space) == side) return *xyz;
+    const auto ap0 = by_role(opened, role_ap0, where);
+    if (ap0 && (side == OCIO::REFERENCE_SPACE_SCENE || !xyz)) return *ap0;
+    if (xyz) return *xyz;
+    throw Error(where + ": config " + in_quotes(opened.description) + " has neither role " + in_quotes(role_ap0) +
+                " nor role " + in_quotes(role_xyz) +
+                "; add one, or name its scene-referred CIE XYZ D65 space as `interchange`");
+}
+
+// Between the two sides OpenColorIO runs the default view transform, forwards or backwards.
+bool default_view_is_matrix(const OCIO::ConstConfigRcPtr& config) {
+    try {
+        const auto view = config->getDefaultSceneToDisplayViewTransform();
+        if (!view) return false;
+        for (const auto direction : {OCIO::VIEWTRANSFORM_DIR_FROM_REFERENCE, OCIO::VIEWTRANSFORM_DIR_TO_REFERENCE}) {
+            const auto transform = view->getTransform(direction);
+            if (transform && !make_conversion(config, transform).matrix) return false;
+        }
+        return true;
+    } catch (const OCIO::Exception&) {
+        return false;
+    }
+}
+
+void check_crossing(const OpenedConfig& opened, const Entrance& entrance, OCIO::ReferenceSpaceType side,
+                    const std::string& where) {
+    if (side_of(opened, entrance.space) == side || default_view_is_matrix(opened.config)) return;
+    const bool to_scene = side == OCIO::REFERENCE_SPACE_SCENE;
+    throw Error(where + ": " + entrance.how + " of config " + in_quotes(opened.description) + " is " +
+                (to_scene ? "display" : "scene") +
+                "-referred, the target is not, and the default view transform between is " + "more than a matrix" +
+                (to_scene
+                     ? "; give the config role \"aces_interchange\", or name its scene-referred CIE XYZ D65 space as "
+                       "`interchange`"
+                     : "; choose a scene-referred space, or a display and view"));
+}
+
+// A space of the user's config, if it is comparable with one of ours.
+OCIO::ConstColorSpaceRcPtr comparable_space(const OpenedConfig& opened, const std::string& name,
+                                            OCIO::ReferenceSpaceType side) {
+    const auto space = opened.config->getColorSpace(name.c_str());
+    return space && !space->isData() && space->getReferenceSpaceType() == side ? space : nullptr;
+}
+
+std::optional<Image<Rgb>> probes_in(const OpenedConfig& opened, const Entrance& entrance, const std::string& space) {
+    try {
+        return convert(make_conversion(opened.config, road_to_space(entrance, space)), probe_colours(), space);
+    } catch (const OCIO::Exception&) {
+        return std::nullopt;  // broken (a missing table, say), and not what the user asked for
+    }
+}
+
+// How many of the spaces that both configs name alike were compared.
+int compare_known_spaces(const OpenedConfig& opened, const Entrance& entrance, const std::string& where) {
+    int compared = 0;
+    for (const KnownSpace& known : known_spaces()) {
+        // Encoded scene spaces are left out: a config may well have another idea of "sRGB - Texture".
+        const bool display = entrance.leads_to == OCIO::REFERENCE_SPACE_DISPLAY;
+        if (known.side != entrance.leads_to || !(known.linear || display)) continue;
+        for (const std::string& name : known.names) {
+            const auto theirs = comparable_space(opened, name, known.side);
+            if (!theirs) continue;
+            const std::optional<Image<Rgb>> probes = probes_in(opened, entrance, theirs->getName());
+            if (!probes) continue;
+            ++compared;
+            if (largest_difference(*probes, known.probes) <= entrance_tolerance) continue;
+            throw Error(where + ": " + entrance.how + " of config " + in_quotes(opened.description) +
+                        " is wrong: by it Rec.709 red is " + numbers(probes->at(0, 0)) + " in " +
+                        in_quotes(theirs->getName()) + " and should be " + numbers(known.probes.at(0, 0)) + advice());
+        }
+    }
+    return compared;
+}
+
+// XYZ in by one role and out by the other is XYZ again, whatever the scale of the view transform between.
+void compare_roles(const OpenedConfig& opened, const std::string& where) {
+    const auto ap0 = by_role(opened, role_ap0, where);
+    const auto xyz = by_role(opened, role_xyz, where);
+    if (!ap0 || !xyz) return;
+    const Conversion around = make_conversion(opened.config, road_to_space(*ap0, xyz->space));
+    if (!around.matrix) return;  // a tone map between them: nothing to compare
+    const Image<Rgb> result = convert(around, probe_colours(), xyz->space);
+    const double scale = result.at(static_cast<int>(first_neutral_probe), 0).g;
+    Image<Rgb> expected(result.width(), 1);
+    std::transform(probe_colours().begin(), probe_colours().end(), expected.begin(), [&](const Xyz& c) {
+        return Rgb{scale * c.x, scale * c.y, scale * c.z};
+    });
+    if (largest_difference(result, expected) <= entrance_tolerance * std::abs(scale)) return;
+    throw Error(where + ": " + ap0->how + " and " + xyz->how + " of config " + in_quotes(opened.description) +
+                " contradict each other" + advice());
+}
+
+}  // namespace
+
+Entrance find_entrance(const OpenedConfig& opened, OCIO::ReferenceSpaceType side, const std::string& where) {
+    Entrance entrance = choose_entrance(opened, side, where);
+    entrance.leads_to = side;
+    check_crossing(opened, entrance, side, where);
+    entrance.confirmed = compare_known_spaces(opened, entrance, where) > 0;
+    if (!entrance.confirmed && opened.interchange.empty()) compare_roles(opened, where);
+    return entrance;
+}
+
+OCIO::GroupTransformRcPtr road_through(const Entrance& entrance, const OCIO::TransformRcPtr& last) {
+    auto road = OCIO::GroupTransform::Create();
+    if (entrance.takes_ap0) {
+        static const glm::dmat3 xyz_to_ap0 = [] {
+            auto ours = OCIO::ColorSpaceTransform::Create();
+            ours->setSrc("lin_ciexyzd65_scene");
+            ours->setDst("lin_ap0");
+            return make_conversion(builtin_config(), ours).matrix.value();
+        }();
+        road->appendTransform(matrix_transform(xyz_to_ap0));
+    }
+    road->appendTransform(last);
+    return road;
+}
+
+OCIO::GroupTransformRcPtr road_to_space(const Entrance& entrance, const std::string& space) {
+    auto last = OCIO::ColorSpaceTransform::Create();
+    last->setSrc(entrance.space.c_str());
+    last->setDst(space.c_str());
+    return road_through(entrance, last);
+}
+
+void check_neutral(const OpenedConfig& opened, const Entrance& entrance, const Conversion& conversion,
+                   const std::string& space, const std::string& where) {
+    const Image<Rgb> probes = convert(conversion, probe_colours(), space);
+    for (int i = static_cast<int>(first_neutral_probe); i < probes.width(); ++i) {
+        const Rgb& grey = probes.at(i, 0);
+        const auto [low, high] = std::minmax({grey.r, grey.g, grey.b});
+        // Relative for spaces in which white is not 1: OpenColorIO computes in float.
+        if (high - low <= neutral_tolerance * std::max(1.0, std::abs(high))) continue;
+        const std::string what = "D65 white becomes " + numbers(probes.at(static_cast<int>(first_neutral_probe), 0)) +
+                                 " in " + in_quotes(space);
+        // The entrance is beyond doubt once a well-known space behind it is right: then it is the target.
+        if (entrance.confirmed) {
+            throw Error(where + ": " + what + " of config " + in_quotes(opened.description) +
+                        "; only spaces in which white is neutral are allowed");
+        }
+        throw Error(where + ": " + entrance.how + " of config " + in_quotes(opened.description) + " is wrong: by it " +
+                    what + advice());
+    }
+}
+
+std::vector<std::string> space_names(const OCIO::ConstConfigRcPtr& config, OCIO::ColorSpaceVisibility visibility) {
+    std::vector<std::string> names;
+    for (const auto side : {OCIO::SEARCH_REFERENCE_SPACE_SCENE, OCIO::SEARCH_REFERENCE_SPACE_DISPLAY}) {
+        const int count = config->getNumColorSpaces(side, visibility);
+        for (int i = 0; i < count; ++i) {
+            const char* const name = config->getColorSpaceNameByIndex(side, visibility, i);
+            const auto space = config->getColorSpace(name);
+            if (space && !space->isData()) names.emplace_back(name);
+        }
+    }
+    return names;
+}
+
+void throw_unknown_space(const OpenedConfig& opened, const std::string& name, const std::string& where) {
+    const OCIO::ConstConfigRcPtr& config = opened.config;
+    std::vector<std::string> all = space_names(config, OCIO::COLORSPACE_ALL);
+    const std::size_t count = all.size();
+    for (std::size_t i = 0; i < count; ++i) {
+        const auto space = config->getColorSpace(all[i].c_str());
+        for (std::size_t k = 0; k < space->getNumAliases(); ++k) all.emplace_back(space->getAlias(k));
+    }
+    for (int i = 0; i < config->getNumRoles(); ++i) all.emplace_back(config->getRoleName(i));
+    const std::vector<std::string> near = nearest_names(name, all);
+    const std::string offer = near.empty() ? "; known: " + comma_separated(space_names(config, OCIO::COLORSPACE_ACTIVE))
+                                           : "; nearest: " + comma_separated(near);
+    throw Error(where + ": unknown colour space " + in_quotes(name) + " in config " + in_quotes(opened.description) +
+                offer);
+}
+
+}  // namespace nacre

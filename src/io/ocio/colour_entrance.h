@@ -1,0 +1,46 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "io/ocio/ocio_detail.h"
+
+namespace nacre {
+
+/// A config and what the user says about it.
+struct OpenedConfig {
+    OCIO::ConstConfigRcPtr config;
+    std::string description;  ///< for messages and headers, no folder
+    std::string interchange;  ///< a space of the config that is CIE XYZ D65, or empty
+};
+
+/// Where CIE XYZ D65 gets into a config; the order of preference is told in colour_config.h.
+struct Entrance {
+    std::string space;       ///< of the config
+    std::string how;         ///< for messages: `role "aces_interchange" ("ACES2065-1")`
+    bool takes_ap0 = false;  ///< the space is ACES2065-1, not XYZ
+    OCIO::ReferenceSpaceType leads_to = OCIO::REFERENCE_SPACE_SCENE;  ///< what it is an entrance for
+    bool confirmed = false;  ///< a well-known space of the config agrees with ours behind it
+};
+
+/// The entrance for targets of that side, checked against the well-known spaces behind it (see colour_config.h).
+/// @throws Error if there is none, if it leads through a view transform that is no matrix, or if it is wrong
+Entrance find_entrance(const OpenedConfig& opened, OCIO::ReferenceSpaceType side, const std::string& where);
+
+/// XYZ D65 -> entrance -> `last`, whose source is entrance.space.
+OCIO::GroupTransformRcPtr road_through(const Entrance& entrance, const OCIO::TransformRcPtr& last);
+/// XYZ D65 -> entrance -> a colour space.
+OCIO::GroupTransformRcPtr road_to_space(const Entrance& entrance, const std::string& space);
+
+/// White and 18 % grey must be neutral within 1e-3 at the end of the road.
+/// @throws Error naming the space that they were converted to
+void check_neutral(const OpenedConfig& opened, const Entrance& entrance, const Conversion& conversion,
+                   const std::string& space, const std::string& where);
+
+/// Names of the colour spaces, scene-referred first, data left out.
+std::vector<std::string> space_names(const OCIO::ConstConfigRcPtr& config, OCIO::ColorSpaceVisibility visibility);
+
+/// The error for a colour space that the config lacks; offers the nearest names, or all when none is near.
+[[noreturn]] void throw_unknown_space(const OpenedConfig& opened, const std::string& name, const std::string& where);
+
+}  // namespace nacre

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "nacre/base/sampled_curve.h"
+
+namespace nacre {
+
+/// One row of a table of refractive indices. What the table does not give is 0.
+struct IndexRow {
+    int line = 0;
+    double wavelength_nm = 0.0;
+    double n = 0.0;
+    double k = 0.0;
+};
+
+/// A table as the user wrote it.
+struct IndexTable {
+    bool gives_n = false;
+    bool gives_k = false;
+    std::vector<IndexRow> rows;  ///< in any order
+};
+
+/// The same, ascending; a curve that the table does not give has no nodes.
+struct IndexCurves {
+    SampledCurve n;
+    SampledCurve k;
+};
+
+/// The number in a text, times 10^shift: the double nearest to the decimal that is meant, so that 1.005 um are 1005 nm
+/// and not 1004.9999999999999. Nothing if the text is no finite number.
+std::optional<double> decimal_number(std::string_view text, int shift = 0);
+
+/// Sorts the rows by wavelength, and counts one that is there twice once.
+///
+/// Throws Error, `file:line: what is wrong; what is allowed`, for a wavelength <= 0, n <= 0, k < 0 (gain), a wavelength
+/// that is there twice with different values, and fewer than two wavelengths.
+/// @param line  of the table, for what is wrong with all of it
+IndexCurves index_curves(IndexTable table, const std::string& file, int line);
+
+/// A CSV of wavelength_nm,n or wavelength_nm,n,k; a first row of words is a heading. Not checked by index_curves() yet.
+///
+/// Throws IoError, or Error for anything else than two or three columns of numbers, for decimal commas, and for a table
+/// that ends below 100 nm: its wavelengths are micrometres.
+IndexTable read_index_csv(const std::string& path);
+
+}  // namespace nacre

@@ -1,0 +1,119 @@
+#include "nacre/accuracy/thick_layers.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "nacre/shade/layered_colour.h"
+#include "nacre/scene/plan.h"
+#include "nacre/colour/difference.h"
+
+namespace nacre {
+namespace {
+
+constexpr Xyz d65 = xyz_from_chromaticity(d65_chromaticity);
+
+// Fringes that may be too fine to be seen: of some 16 micrometres of glass.
+constexpr double fine_fringes = 75.0;
+// So much finer than all others together that no two of them beat.
+constexpr double finer_than_others = 3.0;
+
+double optical_path_nm(const LayerSystem& system, double wavelength_nm, std::size_t begin, std::size_t end) {
+    double sum = 0.0;
+    for (std::size_t i = begin; i < end; ++i) {
+        const LayerNode& node = system.nodes[i];
+        const auto members = static_cast<std::size_t>(node.count);
+        if (node.repeat > 0) {
+            sum += node.repeat * optical_path_nm(system, wavelength_nm, i + 1, i + 1 + members);
+        } else if (!node.is_incoherent) {
+            sum += node.thickness_nm * system.index_at(node.medium, wavelength_nm).real();
+        }
+        i += members;
+    }
+    return sum;
+}
+
+// Only in such a layer do fringes stay fine at every angle: in a thinner medium the wave comes to run along the layer,
+// and near the critical angle fringes are as coarse as one likes.
+bool is_denser_than_incident(const LayerSystem& system, int medium, const LightSettings& light) {
+    constexpr double clearly = 1.05;
+    for (const int nm : {light.first_nm, (light.first_nm + light.last_nm) / 2, light.last_nm}) {
+        const double n0 = system.index_at(system.incident, nm).real();
+        if (system.index_at(medium, nm).real() < clearly * n0) return false;
+    }
+    return true;
+}
+
+// The finest, then the finest of what is left, as long as each is fine beside all the others.
+std::vector<std::size_t> candidates(LayerSystem system, const LightSettings& light) {
+    std::vector<std::size_t> thick;
+    for (;;) {
+        std::size_t thickest = 0;
+        double most = 0.0;
+        for (std::size_t i = 0; i < system.nodes.size(); i += 1 + static_cast<std::size_t>(system.nodes[i].count)) {
+            const LayerNode& node = system.nodes[i];
+            // Only a layer that is thick enough is worth the sum over all of its wavelengths.
+            if (node.repeat > 0 || node.is_incoherent || node.thickness_nm < 1000.0) continue;
+            if (!is_denser_than_incident(system, node.medium, light)) continue;
+            LayerSystem alone = system;
+            alone.nodes = {node};
+            const double fringes = fringe_count(alone, light);
+            if (fringes <= most) continue;
+            most = fringes;
+            thickest = i;
+        }
+        if (most < fine_fringes || most < finer_than_others * (fringe_count(system, light) - most)) return thick;
+        thick.push_back(thickest);
+        system.nodes[thickest].is_incoherent = true;
+    }
+}
+
+}  // namespace
+
+double fringe_count(const LayerSystem& system, const LightSettings& light) {
+    double path_nm = 0.0;
+    for (const int nm : {light.first_nm, (light.first_nm + light.last_nm) / 2, light.last_nm})
+        path_nm = std::max(path_nm, optical_path_nm(system, nm, 0, system.nodes.size()));
+    return 2.0 * path_nm * (1.0 / light.first_nm - 1.0 / light.last_nm);
+}
+
+std::vector<std::size_t> thick_layers(const Job& job, double tolerance) {
+    if (!job.x.is_angle() || (job.y && !job.y->is_angle())) return {};
+    const Mechanism& mechanism = job.material.mechanism;
+    const Light& light = *job.light;
+    const LayerSystem system = even_system(mechanism);
+    std::vector<std::size_t> thick = candidates(system, light.settings);
+    if (thick.empty()) return {};
+
+    LayerSystem without = system;
+    for (const std::size_t node : thick) without.nodes[node].is_incoherent = true;
+    constexpr double nodes_per_fringe = 8.0;
+    constexpr int fewest = 128;
+    const auto sampling = [&](const LayerSystem& layers, const std::vector<std::size_t>& blurred) {
+        const int count = std::max(fewest, static_cast<int>(nodes_per_fringe * fringe_count(layers, light.settings)));
+        SpectralSampling result;
+        result.nodes.fill(std::make_shared<const SpectralNodes>(make_spectral_nodes(light.weights, count)));
+        result.blurred = blurred;
+        return result;
+    };
+    LayeredColour sharp(mechanism, sampling(system, {}));
+    LayeredColour blurred(mechanism, sampling(without, thick));
+    std::vector<Xyz> seen;
+    std::vector<Xyz> meant;
+    double brightest = 0.0;
+    for (const double angle_deg : {0.0, 25.0, 45.0, 60.0}) {
+        const Incidence incidence = Incidence::from_degrees(angle_deg);
+        seen.push_back(adapt(light.adaptation, blurred.at(incidence)));
+        meant.push_back(adapt(light.adaptation, sharp.at(incidence)));
+        brightest = std::max(brightest, meant.back().y);
+    }
+    if (!(brightest > black_luminance)) return thick;
+    const auto lab = [&](const Xyz& colour) {
+        return to_lab({colour.x / brightest, colour.y / brightest, colour.z / brightest}, d65);
+    };
+    for (std::size_t i = 0; i < seen.size(); ++i) {
+        if (ciede2000(lab(seen[i]), lab(meant[i])) > tolerance) return {};
+    }
+    return thick;
+}
+
+}  // namespace nacre

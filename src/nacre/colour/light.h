@@ -1,0 +1,58 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include <glm/mat3x3.hpp>
+
+#include "nacre/scene/table.h"
+#include "nacre/colour/adaptation.h"
+#include "nacre/colour/lobe_moments.h"
+#include "nacre/colour/tristimulus.h"
+
+namespace nacre {
+
+/// What [light] and [accuracy] say about how a spectrum becomes XYZ.
+struct LightSettings {
+    std::string illuminant = "D65";  ///< a CIE name, or the file name of a table
+    SampledCurve power;              ///< the illuminant's relative spectral power
+    bool is_table = false;           ///< whether the power came with the scene rather than from the CIE
+    Observer observer = Observer::cie1931_2deg;
+    Adaptation adaptation = Adaptation::bradford;
+    int first_nm = 360;
+    int last_nm = 830;
+    std::optional<int> wavelengths;  ///< sample spectra at so many nodes; unset: exact integration
+};
+
+/// The same, ready to be multiplied with.
+struct Light {
+    LightSettings settings;
+    TristimulusWeights weights;
+    LobeMoments moments;       ///< of the weights
+    WavelengthGrid grid;       ///< only used if settings.wavelengths is set
+    GridWeights grid_weights;  ///< likewise
+    glm::dmat3 adaptation{1.0};
+
+    /// What the perfect reflector has before adaptation.
+    Xyz white() const { return settings.wavelengths ? grid_weights.white : weights.white; }
+};
+
+/// @pre the settings come from read_light()
+Light make_light(LightSettings settings);
+
+/// The same light with exact integration; itself if it has that already.
+std::shared_ptr<const Light> without_wavelengths(const std::shared_ptr<const Light>& light);
+
+/// How the core asks for a table of spectral power. The front end finds the file beside the scene; a curve that comes
+/// back ascends and is finite. Throws Error or IoError.
+using CurveReader = std::function<SampledCurve(const std::string& file, const Where& where)>;
+
+/// Reads [light] (null: all defaults) and `wavelengths` of [accuracy].
+LightSettings read_light(const Table* light, std::optional<int> wavelengths, const CurveReader& read_curve);
+
+/// The [light] table that leads to these settings; a table of spectral power is written out in full.
+std::string light_toml(const LightSettings& settings);
+
+}  // namespace nacre

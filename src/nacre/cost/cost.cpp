@@ -1,0 +1,271 @@
+#include "nacre/cost/cost.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <memory>
+#include <utility>
+
+#include "nacre/cost/effect_cost.h"
+#include "nacre/cost/rivals.h"
+#include "nacre/accuracy/scan.h"
+#include "nacre/base/text.h"
+
+namespace nacre {
+namespace {
+
+constexpr int integral_size = 1024;  // large enough to show what an integral errs by
+constexpr int mistake_size = 256;
+constexpr std::array fixed_sizes{32, 64, 128, 256, 512, 1024};
+constexpr std::array bounds{5.0, 2.0, 1.0, 0.5, 0.2, 0.1, 0.05, 0.02, 0.01, 0.005, 0.002};
+constexpr std::array node_counts{12, 16, 24, 32, 48, 64, 128};
+constexpr std::array sum_steps_nm{1, 2, 5, 10, 20};
+
+using Store = std::function<double(double)>;
+
+void store(Image<Rgb>& image, const Store& stored) {
+    for (Rgb& texel : image) texel = {stored(texel.r), stored(texel.g), stored(texel.b)};
+}
+
+// sRGB's curve in 8 bits, as hardware decodes it before it filters (IEC 61966-2-1).
+double in_8_bits(double linear) {
+    const double clipped = std::clamp(linear, 0.0, 1.0);
+    const double encoded = clipped <= 0.0031308 ? 12.92 * clipped : 1.055 * std::pow(clipped, 1.0 / 2.4) - 0.055;
+    const double code = std::round(encoded * 255.0) / 255.0;
+    return code <= 0.04045 ? code / 12.92 : std::pow((code + 0.055) / 1.055, 2.4);
+}
+
+// Every texel's lobe through a rival. The mechanism's own part is that of the real bake.
+Image<Xyz> bake_with(const Job& job, const Rival& rival) {
+    Image<Xyz> image(job.width, job.height);
+    Sampler sampler(job);
+    for (int row = 0; row < job.height; ++row) {
+        const double y = coordinate_of_texel(row, job.height);
+        for (int column = 0; column < job.width; ++column)
+            image.at(column, row) = rival.to_xyz(sampler.lobe_at(coordinate_of_texel(column, job.width), y));
+    }
+    return image;
+}
+
+class Cases {
+public:
+    Cases(const PlannedLut& lut, const Encoding& encoding, double bound, const AfterRow& after_step)
+        : lut_(lut), encoding_(encoding), bound_(bound), after_step_(after_step) {
+        lut_.wish = {};
+        lut_.wish.max_de00 = bound;
+        lut_.job.light = without_wavelengths(lut.job.light);
+        // What others are held against has every effect.
+        lut_.wish.may_drop_effects = false;
+        const SettledLut settled = settle(lut_, encoding, after_step);
+        lut_.wish.may_drop_effects = true;
+        height_ = settled.lut.job.height;
+        lut_.job.sampling = settled.lut.job.sampling;
+    }
+
+    std::vector<CostCase> all() {
+        add_integrals();
+        add_fixed_sizes();
+        add_mistakes();
+        add_effects();
+        add_choices();
+        return std::move(cases_);
+    }
+
+private:
+    Job sized(int width) const {
+        Job job = lut_.job;
+        job.width = width;
+        job.height = height_;
+        job.integral = Integral::exact;
+        return job;
+    }
+
+    CostCase& add(CostFamily family, std::string label, Job job, PixelFormat format) {
+        CostCase& cost = cases_.emplace_back();
+        cost.family = family;
+        cost.label = std::move(label);
+        cost.axis = job.x.is_angle() ? std::string(job.x.kind->name) : job.x.parameter.name;
+        cost.format = std::string(name_of(format_words, format));
+        cost.bytes = static_cast<std::size_t>(job.width) * static_cast<std::size_t>(job.height) *
+                     (format == PixelFormat::half_float ? 6 : 12);
+        cost.job = std::move(job);
+        cost.make = [&encoding = encoding_, made = cost.job, format] {
+            Image<Rgb> image = encoding.to_rgb(bake(made));
+            store(image, [&](double value) { return encoding.stored(value, format); });
+            return image;
+        };
+        return cost;
+    }
+
+    void add_rival(std::string label, std::shared_ptr<const Rival> rival) {
+        CostCase& cost = add(CostFamily::integral, std::move(label), sized(integral_size), PixelFormat::single_float);
+        cost.make = [&encoding = encoding_, job = cost.job, rival = std::move(rival)] {
+            Image<Rgb> image = encoding.to_rgb(bake_with(job, *rival));
+            store(image, [&](double value) { return encoding.stored(value, PixelFormat::single_float); });
+            return image;
+        };
+    }
+
+    // A film or stack at the wavelengths of a rival.
+    Job sampled(Job job, SpectralNodes nodes) const {
+        job.sampling.nodes.fill(std::make_shared<const SpectralNodes>(std::move(nodes)));
+        job.sampling.blurred.clear();
+        return job;
+    }
+
+    void add_nodes(std::string label, SpectralNodes nodes) {
+        CostCase& cost = add(CostFamily::integral, std::move(label), sized(integral_size), PixelFormat::single_float);
+        cost.make = [&encoding = encoding_, job = sampled(cost.job, std::move(nodes))] {
+            Image<Rgb> image = encoding.to_rgb(bake(job));
+            store(image, [&](double value) { return encoding.stored(value, PixelFormat::single_float); });
+            return image;
+        };
+    }
+
+    // Spectra that are sampled: nodes by product integration, and what others do.
+    void add_samplings() {
+        const Light& light = *lut_.job.light;
+        add(CostFamily::integral, "chosen nodes", sized(integral_size), PixelFormat::single_float);
+        for (const int count : node_counts)
+            add_nodes(std::to_string(count) + " nodes", make_spectral_nodes(light.weights, count));
+        for (const int step_nm : sum_steps_nm)
+            add_nodes(std::to_string(step_nm) + " nm sum", sum_nodes(light, step_nm));
+        if (light.settings.observer == Observer::cie1931_2deg) add_nodes("Wyman fit at 5 nm", fit_nodes(light, false));
+        add_nodes("Wyman single-lobe fit at 5 nm", fit_nodes(light, true));
+        add_nodes("three wavelengths", three_wavelengths_nodes(light));
+    }
+
+    void add_integrals() {
+        const Mechanism& mechanism = lut_.job.material.mechanism;
+        if (samples_spectra(mechanism)) return add_samplings();
+        if (!std::holds_alternative<Palette>(mechanism)) {
+            add(CostFamily::integral, "exact integral", sized(integral_size), PixelFormat::single_float);
+            return;
+        }
+        const Light& light = *lut_.job.light;
+        add(CostFamily::integral, "exact integral", sized(integral_size), PixelFormat::single_float);
+        Job fast = sized(integral_size);
+        fast.integral = Integral::fast;
+        add(CostFamily::integral, "fast integral", std::move(fast), PixelFormat::single_float);
+        for (const int step_nm : sum_steps_nm)
+            add_rival(std::to_string(step_nm) + " nm sum", make_sum_rival(light, step_nm));
+        if (light.settings.observer == Observer::cie1931_2deg)
+            add_rival("Wyman fit at 5 nm", make_fit_rival(light, false));
+        add_rival("Wyman single-lobe fit at 5 nm", make_fit_rival(light, true));
+        add_rival("three wavelengths", make_three_wavelengths_rival());
+    }
+
+    void add_fixed_sizes() {
+        if (!lut_.job.x.is_angle()) return;
+        for (const AxisKind& kind : axis_kinds()) {
+            if (kind.quantity != lut_.job.x.kind->quantity) continue;
+            for (const PixelFormat format : {PixelFormat::half_float, PixelFormat::single_float}) {
+                for (const int size : fixed_sizes) {
+                    Job job = sized(size);
+                    job.x.kind = &kind;
+                    add(CostFamily::fixed_size, std::to_string(size), std::move(job), format);
+                }
+            }
+        }
+    }
+
+    void add_coarse_sum() {
+        const Light& light = *lut_.job.light;
+        CostCase& cost = add(CostFamily::mistake, "5 nm sum", sized(mistake_size), PixelFormat::half_float);
+        std::function<Image<Xyz>()> colours = [job = cost.job, rival = std::shared_ptr<const Rival>(make_sum_rival(
+                                                                   light, 5))] { return bake_with(job, *rival); };
+        if (samples_spectra(cost.job.material.mechanism))
+            colours = [job = sampled(cost.job, sum_nodes(light, 5))] { return bake(job); };
+        cost.make = [&encoding = encoding_, colours = std::move(colours)] {
+            Image<Rgb> image = encoding.to_rgb(colours());
+            store(image, [&](double value) { return encoding.stored(value, PixelFormat::half_float); });
+            return image;
+        };
+    }
+
+    void add_mistakes() {
+        add(CostFamily::mistake, "none of these", sized(mistake_size), PixelFormat::half_float);
+        const Mechanism& mechanism = lut_.job.material.mechanism;
+        if (samples_spectra(mechanism) || std::holds_alternative<Palette>(mechanism)) add_coarse_sum();
+        {
+            CostCase& cost =
+                add(CostFamily::mistake, "8-bit sRGB texture", sized(mistake_size), PixelFormat::half_float);
+            cost.format = "8 bit";
+            cost.bytes /= 2;
+            cost.make = [&encoding = encoding_, job = cost.job] {
+                Image<Rgb> image = encoding.to_rgb(bake(job));
+                store(image, in_8_bits);
+                return image;
+            };
+        }
+        {
+            CostCase& cost =
+                add(CostFamily::mistake, "half texel missing", sized(mistake_size), PixelFormat::half_float);
+            cost.fetch_at = [width = cost.job.width, height = cost.job.height](LutPoint point) {
+                const auto shifted = [](double coordinate, int size) {
+                    return size < 2 ? coordinate : std::clamp((coordinate * size - 0.5) / (size - 1), 0.0, 1.0);
+                };
+                return LutPoint{shifted(point.x, width), shifted(point.y, height)};
+            };
+        }
+        if (!lut_.job.x.is_angle() || lut_.job.x.kind->quantity != Quantity::incidence) return;
+        Job cosine = sized(mistake_size);
+        const auto kinds = axis_kinds();
+        cosine.x.kind =
+            &*std::find_if(kinds.begin(), kinds.end(), [](const AxisKind& k) { return k.name == "cos_theta"; });
+        add(CostFamily::mistake, "cosine axis", std::move(cosine), PixelFormat::half_float);
+    }
+
+    // As fine as the integrals, so that nothing but the effect is seen.
+    void add_effects() {
+        const EffectSet named = effects_in(lut_.job);
+        if (named.is_empty()) return;
+        add(CostFamily::effect, "every effect", sized(integral_size), PixelFormat::single_float);
+        for (const EffectRow& row : effect_rows()) {
+            if (!named.has(row.effect)) continue;
+            CostCase& cost = add(CostFamily::effect, "without " + std::string(row.name), sized(integral_size),
+                                 PixelFormat::single_float);
+            cost.make = [&encoding = encoding_, job = without_effect(cost.job, row.effect)] {
+                Image<Rgb> image = encoding.to_rgb(bake(job));
+                store(image, [&](double value) { return encoding.stored(value, PixelFormat::single_float); });
+                return image;
+            };
+        }
+    }
+
+    void add_choices() {
+        std::vector<double> all(bounds.begin(), bounds.end());
+        if (std::find(all.begin(), all.end(), bound_) == all.end()) all.push_back(bound_);
+        std::sort(all.begin(), all.end(), std::greater<>());
+        for (const double bound : all) {
+            lut_.wish.max_de00 = bound;
+            const SettledLut settled = settle(lut_, encoding_, after_step_);
+            CostCase& cost = add(CostFamily::choice, number_text(bound), settled.lut.job, settled.lut.format);
+            cost.bound = bound;
+            cost.is_reached = settled.is_reached;
+            cost.predicted = settled.predicted.total;
+        }
+    }
+
+    PlannedLut lut_;
+    const Encoding& encoding_;
+    double bound_;
+    const AfterRow& after_step_;
+    int height_ = 1;
+    std::vector<CostCase> cases_;
+};
+
+}  // namespace
+
+std::vector<CostCase> cost_cases(const PlannedLut& lut, const Encoding& encoding, double bound,
+                                 const AfterRow& after_step) {
+    return Cases(lut, encoding, bound, after_step).all();
+}
+
+double cost_error(const CostCase& cost, const Image<Rgb>& stored, const Encoding& encoding,
+                  const AfterRow& after_step) {
+    Trial trial(cost.job, stored, encoding, cost.fetch_at, after_step);
+    return scan_errors(trial).largest;
+}
+
+}  // namespace nacre

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "nacre/lut/encoding.h"
+#include "nacre/accuracy/settle.h"
+#include "nacre/scene/plan.h"
+
+namespace nacre {
+
+/// Ways to make a LUT that belong together: one line or group of points in a picture of cost.
+enum class CostFamily {
+    integral,    ///< how a spectrum becomes XYZ, everything else as good as it gets
+    fixed_size,  ///< sizes that one may fix, per axis and format
+    mistake,     ///< what goes wrong in practice, at 256 texels
+    effect,      ///< every effect of the material switched off in turn, everything else as good as it gets
+    choice,      ///< what nacre takes for a bound
+};
+
+/// One way to make the LUT of a job.
+struct CostCase {
+    CostFamily family = CostFamily::choice;
+    std::string label;                           ///< "5 nm sum"; for a choice the bound, "0.1"
+    std::string axis;                            ///< name of the x axis
+    std::string format;                          ///< "half", "float", "8 bit"
+    Job job;                                     ///< size and axes; where the error is looked for
+    double bound = 0.0;                          ///< of a choice
+    bool is_reached = true;                      ///< whether a choice keeps its bound
+    double predicted = 0.0;                      ///< error that settle() predicts for a choice; 0: nobody does
+    std::size_t bytes = 0;                       ///< of the texels
+    std::function<Image<Rgb>()> make;            ///< makes the LUT, as stored: this is what time is taken of
+    std::function<LutPoint(LutPoint)> fetch_at;  ///< where a shader fetches instead; empty: where it should
+};
+
+/// Every case for a LUT: five sums, three wavelengths, fits, and the exact integral; sizes 32 to 1024 under each angle
+/// axis, in half and float; common mistakes; and nacre's own choice for bounds from 5 to 0.002 and `bound`.
+///
+/// `wavelengths` of the scene do not count: how spectra become XYZ is what is compared. A job over two axes keeps its
+/// second one, at the height that settle() gives it.
+/// @param encoding  has to outlive the cases
+/// @pre the encoding has a way back to XYZ
+/// @param after_step  called often; what it throws ends the search
+std::vector<CostCase> cost_cases(const PlannedLut& lut, const Encoding& encoding, double bound,
+                                 const AfterRow& after_step = {});
+
+/// CIEDE2000 error of what a shader gets from the case's LUT, the largest at any coordinate.
+double cost_error(const CostCase& cost, const Image<Rgb>& stored, const Encoding& encoding,
+                  const AfterRow& after_step = {});
+
+}  // namespace nacre

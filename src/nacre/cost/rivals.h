@@ -1,0 +1,46 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "nacre/colour/light.h"
+#include "nacre/colour/spectral_nodes.h"
+#include "nacre/optics/lobe.h"
+
+namespace nacre {
+
+/// A way from a band of reflectance to XYZ, one of those that others take: what nacre's integrals are compared with.
+///
+/// Each is written as well as it can be with its idea: only wavelengths under the band are visited, and white comes out
+/// white. Sums have their weights computed beforehand and their cosines stepped by SIMD recurrence; fits are evaluated
+/// where they are needed, as in shaders: a table of them might as well be the CIE's.
+class Rival {
+public:
+    virtual ~Rival() = default;
+    /// XYZ relative to D65, Y = 1 for the perfect reflector.
+    virtual Xyz to_xyz(const Lobe& lobe) const = 0;
+};
+
+/// A sum over every step-th nanometre of the light's range.
+/// @param step_nm  >= 1
+std::unique_ptr<Rival> make_sum_rival(const Light& light, int step_nm);
+
+/// The same for spectra that are no bands: wavelengths and what their reflectances weigh. White comes out white after
+/// the light's own adaptation.
+SpectralNodes sum_nodes(const Light& light, int step_nm);
+/// Of make_three_wavelengths_rival().
+SpectralNodes three_wavelengths_nodes(const Light& light);
+/// Of make_fit_rival().
+SpectralNodes fit_nodes(const Light& light, bool single_lobe);
+
+/// The reflectance at the dominant wavelengths of Rec.709's red, green and blue, taken as RGB: rendering in three
+/// channels. It knows neither observer nor illuminant.
+std::unique_ptr<Rival> make_three_wavelengths_rival();
+
+/// A sum over every fifth nanometre with the matching functions as shaders have them, by the exponentials of Wyman,
+/// Sloan, Shirley 2013 (JCGT 2(2), 1-11); the illuminant from its table.
+/// @param single_lobe  the article's simpler fit; the only one that there is of the 10 degree observer
+std::unique_ptr<Rival> make_fit_rival(const Light& light, bool single_lobe);
+
+}  // namespace nacre

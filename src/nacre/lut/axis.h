@@ -1,0 +1,35 @@
+#pragma once
+
+#include <string>
+
+#include "nacre/lut/axis_kinds.h"
+#include "nacre/material/mechanism.h"
+
+namespace nacre {
+
+/// One axis of a LUT: the angle, in one of its forms, or a number of the material that runs from one value to another.
+struct Axis {
+    const AxisKind* kind = nullptr;  ///< the angle; null: a parameter
+    Parameter parameter;             ///< only if kind is null
+    double from = 0.0;               ///< the parameter's value at the first texel
+    double to = 1.0;                 ///< and at the last
+
+    bool is_angle() const { return kind != nullptr; }
+    /// @param coordinate  in [0, 1]; gives exactly `from` at 0 and `to` at 1
+    double parameter_value(double coordinate) const;
+};
+
+/// The default of a LUT's x, for mechanisms that depend on that quantity.
+Axis default_axis(Quantity quantity = Quantity::incidence);
+
+/// Reads `x = "cos_theta"` or `x = { parameter = "height", from = 0, to = 1 }`.
+/// @param key  "x" or "y"
+Axis read_axis(const Table& lut, std::string_view key, const Value& value, const Mechanism& mechanism);
+
+/// As a value in TOML; reads back as the same axis.
+std::string axis_toml(const Axis& axis);
+
+/// Throws Error if the parameter `name` is none of the mechanism's.
+Axis parameter_axis(const Mechanism& mechanism, std::string_view name, double from, double to);
+
+}  // namespace nacre

@@ -1,0 +1,104 @@
+#include "nacre/lut/sampler.h"
+
+#include <cstddef>
+
+#include "nacre/shade/bends.h"
+
+namespace nacre {
+namespace {
+
+bool is_parameter(const Axis& axis) {
+    return !axis.is_angle();
+}
+
+// Whether two mechanisms differ in nothing that facets' colours depend on.
+bool same_but_for_tilt(Mechanism a, const Mechanism& b) {
+    a.effects.tilt_deg = b.effects.tilt_deg;
+    return a == b;
+}
+
+}  // namespace
+
+Mechanism mechanism_at(const Job& job, double x, double y) {
+    Mechanism mechanism = job.material.mechanism;
+    if (is_parameter(job.x)) job.x.parameter.set(mechanism, job.x.parameter_value(x));
+    if (job.y && is_parameter(*job.y)) job.y->parameter.set(mechanism, job.y->parameter_value(y));
+    return mechanism;
+}
+
+Mechanism simulated_at(const Job& job, double x, double y) {
+    Mechanism mechanism = mechanism_at(job, x, y);
+    remove(job.without, mechanism, job.light->settings.first_nm);
+    return mechanism;
+}
+
+Geometry geometry_at(const Job& job, double x, double y) {
+    if (job.x.is_angle()) return job.x.kind->geometry(x);
+    if (job.y && job.y->is_angle()) return job.y->kind->geometry(y);
+    return job.fixed;
+}
+
+Sampler::Sampler(const Job& job)
+    : job_(job),
+      mechanism_(simulated_at(job, 0.0, 0.0)),
+      sampling_(job.sampling.is_decided() || !samples_spectra(mechanism_) ? job.sampling : default_sampling(job)),
+      prepared_(prepare_colour(mechanism_, sampling_, *job.light, job.integral)) {}
+
+void Sampler::set_parameters(double x, double y) {
+    const bool x_moves = is_parameter(job_.x) && last_x_ != x;
+    const bool y_moves = job_.y && is_parameter(*job_.y) && last_y_ != y;
+    if (!x_moves && !y_moves) return;
+    last_x_ = x;
+    last_y_ = y;
+    auto* palette = std::get_if<PaletteColour>(&prepared_);
+    if (palette != nullptr && mechanism_.effects.tilt_deg == 0.0) {
+        // The way of planes and palettes, a million times: no copies.
+        if (x_moves) job_.x.parameter.set(mechanism_, job_.x.parameter_value(x));    // planning sees to it that the
+        if (y_moves) job_.y->parameter.set(mechanism_, job_.y->parameter_value(y));  // axes set different numbers
+        if (job_.without.has(Effect::tilt)) mechanism_.effects.tilt_deg = 0.0;
+        palette->reset(std::get<Palette>(mechanism_));
+        return;
+    }
+    Mechanism next = simulated_at(job_, x, y);
+    const bool only_tilt_moves = same_but_for_tilt(next, mechanism_);
+    mechanism_ = std::move(next);
+    if (only_tilt_moves) return;
+    prepared_ = prepare_colour(mechanism_, sampling_, *job_.light, job_.integral);
+    facets_ = {};
+}
+
+const Geometry& Sampler::geometry(double x, double y) {
+    const double coordinate = job_.x.is_angle() ? x : job_.y && job_.y->is_angle() ? y : 0.0;
+    if (last_angle_ != coordinate) {
+        geometry_ = geometry_at(job_, x, y);
+        last_angle_ = coordinate;
+    }
+    return geometry_;
+}
+
+Lobe Sampler::lobe_at(double x, double y) {
+    set_parameters(x, y);
+    return std::get<PaletteColour>(prepared_).lobe_at(geometry(x, y).incidence);
+}
+
+Xyz Sampler::tilted(const Incidence& incidence) {
+    EffectWork& effort = work_of(work_.effects, Effect::tilt);
+    if (!facets_.is_made() && sampling_.facets != nullptr) facets_ = FacetColours(*sampling_.facets);
+    if (!facets_.is_made()) {
+        const auto colour = [&](const Incidence& facet) {
+            ++effort.spectra;
+            return colour_at(prepared_, facet, work_);
+        };
+        facets_ = FacetColours(facet_curve(colour, bends_deg(mechanism_)));
+    }
+    return facets_.mean(mechanism_.effects.tilt_deg, incidence, effort.points);
+}
+
+Xyz Sampler::at(double x, double y) {
+    set_parameters(x, y);
+    const Geometry& here = geometry(x, y);
+    const Xyz seen = mechanism_.effects.tilt_deg > 0.0 ? tilted(here.incidence) : colour_at(prepared_, here, work_);
+    return adapt(job_.light->adaptation, seen);
+}
+
+}  // namespace nacre

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <optional>
+
+#include "nacre/scene/plan.h"
+#include "nacre/shade/prepared_colour.h"
+#include "nacre/shade/tilt.h"
+#include "nacre/shade/work.h"
+#include "nacre/colour/colour_types.h"
+#include "nacre/optics/palette.h"
+
+namespace nacre {
+
+/// A job made ready to be asked at many points. What did not change since the last point is not computed again, so
+/// points are best asked row by row.
+class Sampler {
+public:
+    /// @param job  has to outlive the sampler
+    explicit Sampler(const Job& job);
+
+    /// XYZ relative to D65 (after adaptation), Y = 1 for the perfect reflector.
+    /// @param x,y  coordinates on the job's axes, in [0, 1]; y is ignored without an axis y
+    Xyz at(double x, double y = 0.0);
+
+    /// The band of reflectance behind that colour. @pre the job's material is a palette
+    Lobe lobe_at(double x, double y = 0.0);
+
+    /// Of everything asked so far.
+    const Work& work() const { return work_; }
+
+private:
+    void set_parameters(double x, double y);
+    const Geometry& geometry(double x, double y);
+    Xyz tilted(const Incidence& incidence);
+
+    const Job& job_;
+    Mechanism mechanism_;
+    SpectralSampling sampling_;
+    PreparedColour prepared_;       // what answers for the mechanism at many angles
+    FacetColours facets_;           // its colours, if facets ask for them
+    std::optional<double> last_x_;  // of parameters, where they are axes
+    std::optional<double> last_y_;
+    std::optional<double> last_angle_;  // coordinate on the axis that is the angle
+    Geometry geometry_;                 // there
+    Work work_;
+};
+
+/// The material as it is at one point of the parameter axes, with all that the scene says.
+Mechanism mechanism_at(const Job& job, double x, double y);
+
+/// The same without the effects that the job does without.
+Mechanism simulated_at(const Job& job, double x, double y);
+
+/// Where light and eye are at one point of the axes.
+Geometry geometry_at(const Job& job, double x, double y);
+
+}  // namespace nacre

@@ -1,0 +1,87 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <string_view>
+
+#include "nacre/material/mechanism.h"
+
+namespace nacre {
+
+struct Job;
+
+/// What refines a mechanism's colour: the closed list. A scene calls for it or not; where it does, it may still make no
+/// difference that counts.
+enum class Effect {
+    dispersion,
+    absorption,
+    polarisation,
+    incoherent_layers,
+    thickness_spread,
+    base,
+    tilt,
+    higher_orders,
+    size_spread,
+};
+inline constexpr std::size_t effect_count = 9;
+
+/// A set of effects.
+class EffectSet {
+public:
+    bool has(Effect effect) const { return (bits_ & bit(effect)) != 0; }
+    void insert(Effect effect) { bits_ |= bit(effect); }
+    void erase(Effect effect) { bits_ &= ~bit(effect); }
+    bool is_empty() const { return bits_ == 0; }
+    int size() const;
+    friend bool operator==(const EffectSet&, const EffectSet&) = default;
+
+private:
+    static std::uint32_t bit(Effect effect) { return std::uint32_t{1} << static_cast<unsigned>(effect); }
+    std::uint32_t bits_ = 0;
+};
+
+/// One row per effect: how to tell whether a mechanism has it, and how to take it away. A new effect is a row here, and
+/// the code that simulates it.
+struct EffectRow {
+    Effect effect;
+    std::string_view name;         ///< as scenes, plans and headers say it
+    std::string_view description;  ///< half a line
+    /// @param first_nm  where the light begins
+    bool (*is_in)(const Mechanism&, double first_nm);
+    /// Afterwards is_in() says no, and nothing of it is computed.
+    void (*remove)(Mechanism&, double first_nm);
+};
+
+/// In the enumeration's order.
+std::span<const EffectRow> effect_rows();
+const EffectRow& row_of(Effect effect);
+
+EffectSet effects_in(const Mechanism& mechanism, double first_nm);
+/// Of a job: those that its material has anywhere on the axes.
+EffectSet effects_in(const Job& job);
+void remove(const EffectSet& effects, Mechanism& mechanism, double first_nm);
+
+/// What an index of a mechanism is of.
+enum class IndexRole { incident, layer, substrate };
+/// Every index that a mechanism has; its base's too.
+void for_each_index(Mechanism& mechanism, const std::function<void(Index&, IndexRole)>& visit);
+void for_each_index(const Mechanism& mechanism, const std::function<void(const Index&, IndexRole)>& visit);
+
+/// What effects took: counted, so that it can be shown that one that is absent takes nothing.
+struct EffectWork {
+    std::uint64_t spectra = 0;        ///< computed for its sake
+    std::uint64_t layers = 0;         ///< that have it, times wavelengths
+    std::uint64_t points = 0;         ///< of its quadrature
+    std::uint64_t polarisations = 0;  ///< spectra of a second one
+    friend bool operator==(const EffectWork&, const EffectWork&) = default;
+};
+using EffectWorks = std::array<EffectWork, effect_count>;
+
+inline EffectWork& work_of(EffectWorks& works, Effect effect) {
+    return works[static_cast<std::size_t>(effect)];
+}
+
+}  // namespace nacre

@@ -1,0 +1,89 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "nacre/pick/fit_shape.h"
+#include "nacre/material/geometry.h"
+#include "nacre/pick/picked_colour.h"
+#include "nacre/scene/table.h"
+#include "nacre/optics/base.h"
+#include "nacre/optics/crystal.h"
+#include "nacre/optics/grating.h"
+#include "nacre/optics/layered.h"
+#include "nacre/optics/measured_spectra.h"
+#include "nacre/optics/palette.h"
+#include "nacre/optics/polarisation.h"
+#include "nacre/optics/scatter.h"
+
+namespace nacre {
+
+struct SceneContext;
+
+/// What refines a mechanism, if the scene calls for it. (Others are numbers of the mechanism itself: the spread of a
+/// stack's thicknesses, the orders of a grating.)
+struct Effects {
+    std::optional<Base> base;  ///< below the layers; none: black
+    double tilt_deg = 0.0;     ///< of the facets that the surface consists of, from its normal; see tilt.h
+    Polarisation polarisation = Polarisation::mean;
+    bool both_polarisations = false;  ///< whether a LUT becomes two, of s and of p
+    friend bool operator==(const Effects&, const Effects&) = default;
+};
+
+/// What makes a material's colour: the closed list. A new mechanism is a file under optics/, an alternative here and a
+/// row in mechanism.cpp; the compiler names every visitor that lacks it.
+using MechanismModel = std::variant<Palette, Film, Stack, Grating, Crystal, Scatter, MeasuredSpectra>;
+
+/// A mechanism, and what refines it.
+struct Mechanism : MechanismModel {
+    using MechanismModel::MechanismModel;
+    using MechanismModel::operator=;
+
+    Effects effects;
+
+    friend bool operator==(const Mechanism& a, const Mechanism& b) {
+        return static_cast<const MechanismModel&>(a) == static_cast<const MechanismModel&>(b) && a.effects == b.effects;
+    }
+};
+
+/// A material of a scene.
+struct Material {
+    std::string name;
+    Mechanism mechanism;
+    Where where;
+    std::vector<PickedColour> picked{};   ///< of the mechanism's picks those that were given as colours
+    std::optional<ShapeFit> shape_fit{};  ///< of a palette that left its shape open
+};
+
+/// A number of a mechanism that a LUT may have as its axis.
+struct Parameter {
+    std::string name;         ///< "shape", "picks[0].width_nm"; without an index: of all picks at once
+    std::string description;  ///< for axis labels: "width of pick 0"
+    Allowed allowed;
+    std::function<void(Mechanism&, double)> set;
+};
+
+/// Every numeric parameter that a mechanism has, in the order in which they are offered.
+std::vector<Parameter> parameters_of(const Mechanism& mechanism);
+
+/// The name in a scene: "palette".
+std::string_view mechanism_name(const Mechanism& mechanism);
+
+/// What its colour depends on besides its own numbers.
+Quantity quantity_of(const Mechanism& mechanism);
+
+/// Whether it is made of layers (film, stack, crystal).
+bool is_layered(const Mechanism& mechanism);
+
+/// Reads `mechanism`, that mechanism's keys, and its effects. Throws Error for anything that is wrong or unknown.
+Mechanism read_mechanism(const Table& table, const SceneContext& context);
+
+/// What the user wrote so as to get this mechanism: the lines below a [material.NAME] heading, in TOML.
+std::string mechanism_toml(const Mechanism& mechanism);
+
+}  // namespace nacre

@@ -1,0 +1,178 @@
+#include "nacre/pick/objective.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <utility>
+
+namespace nacre {
+namespace {
+
+constexpr Xyz d65 = xyz_from_chromaticity(d65_chromaticity);
+
+// Of least squares: to see where a valley leads to, and to its bottom.
+constexpr int few_steps = 8;
+constexpr int many_steps = 40;
+// And from the bottom as it is seen coarsely to where it is.
+constexpr int last_steps = 12;
+
+std::vector<Geometry> places_of(const MechanismSearch& search) {
+    std::vector<Geometry> places;
+    for (const WantedColour& wanted : search.wanted) places.push_back(wanted.geometry);
+    return places;
+}
+
+}  // namespace
+
+bool are_near(const Design& one, const Design& other) {
+    constexpr double near = 0.04;
+    return std::equal(one.begin(), one.end(), other.begin(),
+                      [](double a, double b) { return std::abs(a - b) <= near; });
+}
+
+Objective::Objective(const MechanismSearch& search, const Light& light, const LeastSquaresSolver& solve)
+    : search_(search), solve_(solve), shown_(light, places_of(search)) {
+    for (const WantedColour& wanted : search.wanted) {
+        wanted_.push_back(to_lab(wanted.colour, d65));
+        total_weight_ += wanted.weight;
+    }
+}
+
+Mechanism Objective::mechanism_of(const Design& design) const {
+    Mechanism mechanism = search_.start;
+    for (std::size_t i = 0; i < design.size(); ++i) search_.free[i].set(mechanism, search_.free[i].at(design[i]));
+    return mechanism;
+}
+
+std::vector<double> Objective::whole_numbers(const Design& design) const {
+    std::vector<double> numbers;
+    for (std::size_t i = 0; i < design.size(); ++i) {
+        if (search_.free[i].scale == FreeScale::whole) numbers.push_back(search_.free[i].at(design[i]));
+    }
+    return numbers;
+}
+
+Design Objective::rounded(Design design) const {
+    for (std::size_t i = 0; i < design.size(); ++i) {
+        const FreeNumber& number = search_.free[i];
+        if (number.scale == FreeScale::whole) design[i] = number.place_of(number.at(design[i]));
+    }
+    return design;
+}
+
+double Objective::error_of(std::span<const Xyz> shown) const {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < shown.size(); ++i) {
+        const double de00 = ciede2000(wanted_[i], to_lab(shown[i], d65));
+        sum += search_.wanted[i].weight * de00 * de00;
+    }
+    // What is no number is no answer, and sorts last.
+    return std::isfinite(sum) ? std::sqrt(sum / total_weight_) : std::numeric_limits<double>::infinity();
+}
+
+Rated Objective::rated(const Design& design, SearchDetail detail) {
+    const Mechanism mechanism = mechanism_of(design);
+    std::vector<Xyz> shown(shown_.count());
+    shown_.at(mechanism, shown_.sampling_for(mechanism, detail), shown);
+    return {design, error_of(shown)};
+}
+
+std::vector<std::size_t> Objective::moving_numbers() const {
+    std::vector<std::size_t> moving;
+    for (std::size_t i = 0; i < search_.free.size(); ++i) {
+        const FreeNumber& number = search_.free[i];
+        if (number.scale != FreeScale::whole && number.high > number.low) moving.push_back(i);
+    }
+    return moving;
+}
+
+void Objective::fill(std::span<const Xyz> shown, std::span<double> residuals) const {
+    for (std::size_t i = 0; i < shown.size(); ++i) {
+        const auto parts = ciede2000_parts(wanted_[i], to_lab(shown[i], d65));
+        const double scale = std::sqrt(search_.wanted[i].weight / total_weight_);
+        for (std::size_t part = 0; part < parts.size(); ++part)
+            residuals[parts.size() * i + part] = scale * parts[part];
+    }
+}
+
+// The solver knows no bounds: it moves angles, and the squares of their sines are the places.
+Rated Objective::descended(const Design& start, const SearchSampling& sampling, int steps) const {
+    const std::vector<std::size_t> moving = moving_numbers();
+    Design design = start;
+    std::vector<Xyz> shown(shown_.count());
+    const auto show = [&](std::span<const double> angles) {
+        for (std::size_t i = 0; i < moving.size(); ++i) {
+            const double sine = std::sin(angles[i]);
+            design[moving[i]] = sine * sine;
+        }
+        shown_.at(mechanism_of(design), sampling, shown);
+    };
+    LeastSquares problem;
+    problem.parameters = static_cast<int>(moving.size());
+    problem.residuals = static_cast<int>(3 * shown.size());
+    problem.evaluate = [&](std::span<const double> angles, std::span<double> residuals) {
+        show(angles);
+        fill(shown, residuals);
+    };
+    std::vector<double> angles;
+    for (const std::size_t i : moving) angles.push_back(std::asin(std::sqrt(start[i])));
+    if (!moving.empty()) solve_(problem, angles, steps);
+    show(angles);
+    return {design, error_of(shown)};
+}
+
+Rated Objective::refined(const Design& start, SearchDetail detail) {
+    const Mechanism mechanism = mechanism_of(start);
+    if (detail == SearchDetail::table) return descended(start, shown_.sampling_for(mechanism, detail), few_steps);
+    const Rated coarse = descended(start, shown_.sampling_for(mechanism, detail), many_steps);
+    // What is too good to be true must not crowd out what is good.
+    Rated fine = rated(coarse.design, SearchDetail::report);
+    constexpr double share = 0.02, settled_de00 = 0.01;
+    if (std::abs(fine.error - coarse.error) < share * coarse.error + settled_de00) return fine;
+    return descended(coarse.design, shown_.sampling_for(mechanism, SearchDetail::report), last_steps);
+}
+
+Rated Objective::sharpened(const Design& start) {
+    constexpr double settled_de00 = 0.02;
+    constexpr int most_times = 16;
+    const Mechanism mechanism = mechanism_of(start);
+    const int times = settled_colours(mechanism, settled_de00, most_times).times;
+    return descended(start, shown_.sampling_for(mechanism, SearchDetail::report, times), last_steps);
+}
+
+// Many periods have resonances that are far narrower than their fringes: nodes are doubled until nothing moves.
+Objective::Settled Objective::settled_colours(const Mechanism& mechanism, double settled_de00, int most_times) {
+    const auto colours = [&](int times) {
+        std::vector<Xyz> shown(shown_.count());
+        shown_.at(mechanism, shown_.sampling_for(mechanism, SearchDetail::report, times), shown);
+        return shown;
+    };
+    Settled settled{colours(1), 1};
+    if (!samples_spectra(mechanism)) return settled;
+    while (settled.times < most_times) {
+        const int times = 2 * settled.times;
+        std::vector<Xyz> finer = colours(times);
+        double moved = 0.0;
+        for (std::size_t i = 0; i < finer.size(); ++i)
+            moved = std::max(moved, ciede2000(to_lab(settled.shown[i], d65), to_lab(finer[i], d65)));
+        settled = {std::move(finer), times};
+        if (moved <= settled_de00) break;
+    }
+    return settled;
+}
+
+FoundMechanism Objective::judged(const Design& design) {
+    FoundMechanism found;
+    found.mechanism = mechanism_of(design);
+    for (std::size_t i = 0; i < design.size(); ++i) found.values.push_back(search_.free[i].at(design[i]));
+    constexpr double settled_de00 = 0.002;
+    constexpr int most_times = 64;
+    found.reached = settled_colours(found.mechanism, settled_de00, most_times).shown;
+    for (std::size_t i = 0; i < found.reached.size(); ++i)
+        found.de00.push_back(ciede2000(wanted_[i], to_lab(found.reached[i], d65)));
+    found.error = error_of(found.reached);
+    return found;
+}
+
+}  // namespace nacre

@@ -1,0 +1,71 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "nacre/colour/light.h"
+#include "nacre/pick/mechanism_search.h"
+#include "nacre/colour/difference.h"
+#include "nacre/pick/shown_colours.h"
+#include "nacre/base/least_squares.h"
+
+namespace nacre {
+
+/// Values of the free numbers, as places in their ranges, each in [0, 1].
+using Design = std::vector<double>;
+
+/// A design, and how far its colours are from those that are wanted: the root of the weighted mean of CIEDE2000's
+/// squares; infinity if they are no numbers.
+struct Rated {
+    Design design;
+    double error = 0.0;
+};
+
+inline bool is_better(const Rated& one, const Rated& other) {
+    return one.error < other.error;
+}
+
+/// Whether designs lie in one valley, so far as one can tell: each place differs by 0.04 at most.
+bool are_near(const Design& one, const Design& other);
+
+/// What a search wants to become small: the misses of designs, and how to make them smaller near by.
+class Objective {
+public:
+    /// All have to outlive this.
+    Objective(const MechanismSearch& search, const Light& light, const LeastSquaresSolver& solve);
+
+    Mechanism mechanism_of(const Design& design) const;
+    /// Of a design, what least squares cannot change.
+    std::vector<double> whole_numbers(const Design& design) const;
+    /// With whole numbers in the middle of the places that they have: designs that differ within those are one.
+    Design rounded(Design design) const;
+
+    Rated rated(const Design& design, SearchDetail detail);
+    /// Down the valley that the design lies in: a few steps for the table's detail, else to the bottom as the report's
+    /// detail sees it. Whole numbers stay.
+    Rated refined(const Design& start, SearchDetail detail);
+    /// The same from the bottom of a valley, with as many nodes as its own spectra want: narrow resonances beguile a
+    /// search that looks between them.
+    Rated sharpened(const Design& start);
+    /// All that is told of an answer, in the detail of a report.
+    FoundMechanism judged(const Design& design);
+
+private:
+    struct Settled {
+        std::vector<Xyz> shown;
+        int times = 1;  ///< of the report's nodes that this takes
+    };
+    Settled settled_colours(const Mechanism& mechanism, double settled_de00, int most_times);
+    Rated descended(const Design& start, const SearchSampling& sampling, int steps) const;
+    double error_of(std::span<const Xyz> shown) const;
+    std::vector<std::size_t> moving_numbers() const;
+    void fill(std::span<const Xyz> shown, std::span<double> residuals) const;
+
+    const MechanismSearch& search_;
+    const LeastSquaresSolver& solve_;
+    ShownColours shown_;
+    std::vector<Lab> wanted_;
+    double total_weight_ = 0.0;
+};
+
+}  // namespace nacre

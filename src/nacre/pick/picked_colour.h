@@ -1,0 +1,78 @@
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "nacre/scene/table.h"
+#include "nacre/colour/colour_types.h"
+#include "nacre/pick/lobe/lobe_finder.h"
+#include "nacre/optics/lobe.h"
+#include "nacre/optics/measured_spectra.h"
+
+namespace nacre {
+
+/// A pick of a material, and what the material shows instead where it has no such colour.
+struct PickedColour {
+    std::size_t pick = 0;  ///< which of the material's picks
+    double angle_deg = 0.0;
+    std::string text;  ///< as the user wrote it: "#3a6fd0", "[0.1, 0.2, 0.4] in lin_rec709"
+    Xyz colour;        ///< relative to D65
+    double weight = 1.0;
+    Xyz reached;                     ///< what the material shows there, relative to D65
+    double de00 = 0.0;               ///< between the two, both beside D65 white
+    std::optional<LobeMatch> lobe;   ///< of a palette: the band that stands for it
+    std::string mechanism = "band";  ///< what was looked for: "band", "film"
+    bool is_searched =
+        true;  ///< whether anything was free: else the scene has all numbers, and picks are compared with
+    Where where;
+
+    /// Whether it is shown: by a band to `exact_lobe_de00`, by anything else to `met_de00`.
+    bool is_met() const;
+};
+
+/// A film, stack, grating or crystal that comes so near to a picked colour has it.
+inline constexpr double met_de00 = 0.5;
+
+/// "exact", "met, CIEDE2000 0.03", or how far away the nearest is and why.
+std::string match_text(const PickedColour& picked);
+
+/// Of one that is not met: "the nearest film is CIEDE2000 4.7 away, because ...".
+std::string miss_text(const PickedColour& picked);
+
+/// The colours of a material as the user wrote them, and what they became: "#3a6fd0 at 0 deg: exact; ...".
+std::string picked_text(const std::vector<PickedColour>& picked);
+
+/// How the core asks for a colour's XYZ, relative to D65 and Y = 1 for the perfect reflector.
+/// @param space  of the scene's OpenColorIO config; empty: its role color_picking
+/// Throws Error with `where`.
+using ColourReader = std::function<Xyz(const Rgb& colour, const std::string& space, const Where& where)>;
+
+/// The lobe of a colour under the scene's light.
+using LobeReader = std::function<LobeMatch(const Xyz& colour)>;
+
+/// The other way: the colour of a lobe, relative to D65.
+using LobeColour = std::function<Xyz(const Lobe& lobe)>;
+
+/// The colour of measured spectra at an angle, relative to D65.
+using MeasuredColourReader = std::function<Xyz(const MeasuredSpectra& spectra, double angle_deg)>;
+
+/// What it takes to read picks that are colours.
+struct PickReaders {
+    ColourReader colour;
+    LobeReader find_lobe;
+    LobeColour lobe_colour;
+    MeasuredColourReader measured_colour;
+};
+
+/// Reads the colour of one pick: `colour` = "#rrggbb" or [r, g, b], and `space`. Components are finite and at most
+/// 65504; they may be negative or exceed 1. Nothing is said yet of what comes near to it.
+/// Nothing, if the pick has no `colour`.
+std::optional<PickedColour> read_picked_colour(const Table& pick, const ColourReader& read);
+
+/// Finds the band for a colour.
+void find_band(const PickReaders& readers, PickedColour& picked);
+
+}  // namespace nacre

@@ -1,0 +1,164 @@
+#include <algorithm>
+#include <cstddef>
+
+#include "nacre/base/names.h"
+#include "nacre/scene/plan_tables.h"
+
+namespace nacre {
+namespace {
+
+constexpr Allowed allowed_size{2, largest_lut_size, "texels"};
+constexpr std::size_t longest_name = 100;
+
+// What a fixed quantity is called.
+struct FixedKey {
+    std::string_view key;
+    Allowed allowed;
+};
+FixedKey fixed_key(Quantity quantity) {
+    switch (quantity) {
+        case Quantity::grating_u:
+            return {"grating_u", {0.0, 2.0}};
+        case Quantity::cos_scatter:
+            return {"cos_scatter", {-1.0, 1.0}};
+        case Quantity::incidence:
+            break;
+    }
+    return {"angle_deg", {0.0, 90.0, "degrees"}};
+}
+
+int checked_size(const Table& table, std::string_view key, const Value& value) {
+    const int size = table.checked_integer(key, value, allowed_size);
+    if ((size & (size - 1)) != 0) {
+        table.fail(value.where, std::string(key) + " = " + std::to_string(size) +
+                                    " is no power of two; allowed 2, 4, 8 ... " + std::to_string(largest_lut_size) +
+                                    " (engines rescale other sizes)");
+    }
+    return size;
+}
+
+void check_axes_differ(const Job& job, const Table& table, const Where& where) {
+    if (job.x.is_angle() && job.y->is_angle())
+        table.fail(where, "x and y are both the angle; one of them has to be a parameter");
+    if (job.x.is_angle() || job.y->is_angle()) return;
+    const std::string& x = job.x.parameter.name;
+    const std::string& y = job.y->parameter.name;
+    const bool overlap = x == y || x.ends_with("]." + y) || y.ends_with("]." + x);
+    if (overlap) table.fail(where, "x and y both set " + y + "; give two different parameters");
+}
+
+void read_fixed_angle(const Table& table, Job& job) {
+    const bool has_angle = job.x.is_angle() || (job.y && job.y->is_angle());
+    const Quantity quantity = quantity_of(job.material.mechanism);
+    const auto [key, allowed] = fixed_key(quantity);
+    const Value* value = table.find(key);
+    if (value == nullptr) return;
+    if (has_angle) {
+        table.fail(value->where, std::string(key) + " is fixed, but an axis is " +
+                                     (quantity == Quantity::incidence ? "the angle" : std::string(key)) +
+                                     "; leave one of them out");
+    }
+    const double fixed = table.checked_number(key, *value, allowed);
+    job.fixed = quantity == Quantity::incidence   ? Geometry(Incidence::from_degrees(fixed))
+                : quantity == Quantity::grating_u ? Geometry::from_grating_u(fixed)
+                                                  : Geometry::from_cos_scatter(fixed);
+}
+
+// A size of the LUT's own counts instead of [accuracy]'s.
+void read_wish(const Table& table, const AccuracySettings& accuracy, PlannedLut& lut) {
+    const bool has_y = lut.job.y.has_value();
+    const LutSize own = read_lut_size(table);
+    if (own.height && !has_y) table.fail_at("size", "size has two numbers, but there is no y axis; give one");
+    AccuracySettings settings = accuracy;
+    if (own.width) settings.size = {own.width, own.height ? own.height : own.width};
+    AccuracyWish wish = default_wish(settings, has_y);
+    if (const Value* format = table.find("format"))
+        wish.format = meaning_of(format_words, "format", table.checked_text("format", *format), table, format->where);
+    take_wish(wish, lut);
+}
+
+void read_outputs(const Table& table, PlannedLut& lut) {
+    const Value* value = table.find("outputs");
+    if (value == nullptr) return;
+    lut.outputs.clear();
+    for (const std::string& name : table.texts("outputs")) {
+        const LutOutput output = meaning_of(output_words, "output", name, table, value->where);
+        if (std::find(lut.outputs.begin(), lut.outputs.end(), output) == lut.outputs.end())
+            lut.outputs.push_back(output);
+    }
+    if (lut.outputs.empty())
+        table.fail(value->where, "outputs is empty; known: " + comma_separated(names_of(output_words)));
+}
+
+}  // namespace
+
+void check_name(const std::string& name, const Table& table, const Where& where) {
+    const auto allowed = [](char c) {
+        return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '-' ||
+               c == '.';
+    };
+    if (name.empty() || name.size() > longest_name || name.front() == '.' || name.front() == '-' ||
+        name.back() == '.' || !std::all_of(name.begin(), name.end(), allowed)) {
+        table.fail(where, "the name " + in_quotes(name) + " cannot be a file's name; allowed are 1 to " +
+                              std::to_string(longest_name) + " of A-Z a-z 0-9 _ - . (not first: - .)");
+    }
+}
+
+LutSize read_lut_size(const Table& table) {
+    const Value* value = table.find("size");
+    if (value == nullptr) return {};
+    if (!std::holds_alternative<Value::Array>(value->data)) return {checked_size(table, "size", *value), std::nullopt};
+    const Value::Array& sides = table.checked_array("size", *value);
+    if (sides.size() != 2) {
+        table.fail(value->where, "size has " + std::to_string(sides.size()) + " numbers; give one, or [width, height]");
+    }
+    return {checked_size(table, "size", sides[0]), checked_size(table, "size", sides[1])};
+}
+
+void take_wish(const AccuracyWish& wish, PlannedLut& lut) {
+    constexpr int placeholder_height = 64;
+    lut.wish = wish;
+    lut.job.width = wish.width.value_or(lut.job.width);
+    if (lut.job.y) lut.job.height = wish.height.value_or(placeholder_height);
+    lut.job.integral = wish.integral.value_or(lut.job.integral);
+    lut.format = wish.format.value_or(lut.format);
+}
+
+AccuracyWish default_wish(const AccuracySettings& accuracy, bool has_y) {
+    AccuracyWish wish;
+    wish.max_de00 = accuracy.max_de00.value_or(AccuracyWish::default_max_de00);
+    wish.is_binding = accuracy.max_de00.has_value();
+    wish.has_bound = wish.is_binding || (!accuracy.wavelengths && !accuracy.size.width);
+    wish.integral = accuracy.integral;
+    wish.nodes = accuracy.nodes;
+    wish.realisations = accuracy.realisations;
+    wish.points = accuracy.points;
+    wish.may_drop_effects = accuracy.may_drop_effects;
+    wish.without = accuracy.without;
+    wish.width = accuracy.size.width;
+    if (has_y) wish.height = accuracy.size.height;
+    return wish;
+}
+
+PlannedLut read_lut(const Table& table, const Table::Entry& entry, Materials& materials,
+                    const std::shared_ptr<const Light>& light, const AccuracySettings& accuracy) {
+    PlannedLut lut;
+    lut.name = entry.key;
+    lut.where = entry.key_where;
+    Job& job = lut.job;
+    job.material = material_of(table, materials);
+    job.light = light;
+    job.x = default_axis(quantity_of(job.material.mechanism));
+    if (const Value* x = table.find("x")) job.x = read_axis(table, "x", *x, job.material.mechanism);
+    if (const Value* y = table.find("y")) {
+        job.y = read_axis(table, "y", *y, job.material.mechanism);
+        check_axes_differ(job, table, y->where);
+    }
+    read_fixed_angle(table, job);
+    read_wish(table, accuracy, lut);
+    read_outputs(table, lut);
+    table.expect_all_read();
+    return lut;
+}
+
+}  // namespace nacre

@@ -1,0 +1,71 @@
+#include <algorithm>
+#include <cstddef>
+
+#include "nacre/base/names.h"
+#include "nacre/scene/plan_tables.h"
+#include "nacre/swatch/swatch.h"
+
+namespace nacre {
+namespace {
+
+// The LUT that the key `lut` names.
+const PlannedLut& lut_of(const Table& table, const Value& value, const LutFinder& find_lut) {
+    const std::string& name = table.checked_text("lut", value);
+    std::vector<std::string> known;
+    if (const PlannedLut* lut = find_lut(name, known)) return *lut;
+    table.fail(value.where, "unknown lut " + in_quotes(name) + "; known: " + known_like(name, known));
+}
+
+void show_lut(const Table& table, const Value& value, const LutFinder& find_lut, PlannedSwatch& swatch) {
+    if (table.find("material") != nullptr) {
+        table.fail_at("material", "a swatch shows a material or a lut; leave one of them out");
+    }
+    swatch.jobs = {lut_of(table, value, find_lut).job};
+}
+
+void show_material(const Table& table, Materials& materials, const std::shared_ptr<const Light>& light,
+                   PlannedSwatch& swatch) {
+    const Material& material = material_of(table, materials);
+    const bool needs_picks = swatch.kind == SwatchKind::plane || swatch.kind == SwatchKind::palette;
+    if (needs_picks && !std::holds_alternative<Palette>(material.mechanism)) {
+        table.fail_at("draw", "draw = " + in_quotes(name_of(swatch_words, swatch.kind)) +
+                                  " shows the picks of a palette, and material " + in_quotes(material.name) + " is a " +
+                                  std::string(mechanism_name(material.mechanism)) + "; draw a strip or a sphere");
+    }
+    if (swatch.kind == SwatchKind::picks && material.picked.empty()) {
+        table.fail_at("draw", "draw = \"picks\" shows picks that are colours, and material " +
+                                  in_quotes(material.name) + " has none; give them as colour = \"#rrggbb\"");
+    }
+    swatch.jobs = swatch_jobs(swatch.kind, material, light);
+    if (swatch.kind != SwatchKind::palette) return;
+    const Allowed allowed_pick{0.0, static_cast<double>(swatch.jobs.size() - 1)};
+    const int pick = table.integer_or("pick", allowed_pick, -1);
+    if (pick < 0) return;
+    swatch.jobs = {Job(swatch.jobs[static_cast<std::size_t>(pick)])};
+}
+
+}  // namespace
+
+PlannedSwatch read_swatch(const Table& table, const Table::Entry& entry, Materials& materials,
+                          const std::shared_ptr<const Light>& light, const LutFinder& find_lut) {
+    PlannedSwatch swatch;
+    swatch.name = entry.key;
+    swatch.where = entry.key_where;
+    const std::string draw = table.text("draw");
+    swatch.kind = meaning_of(swatch_words, "swatch", draw, table, table.find("draw")->where);
+    swatch.display = table.text_or("display", "");
+    swatch.view = table.text_or("view", "");
+    swatch.gamut = read_word(table, "gamut", "gamut", swatch_gamut_words);
+    const bool may_show_lut = swatch.kind == SwatchKind::strip || swatch.kind == SwatchKind::sphere;
+    const Value* lut = may_show_lut ? table.find("lut") : nullptr;
+    if (lut != nullptr) {
+        show_lut(table, *lut, find_lut, swatch);
+    } else {
+        show_material(table, materials, light, swatch);
+    }
+    swatch.title = table.text_or("title", swatch.jobs.front().material.name);
+    table.expect_all_read();
+    return swatch;
+}
+
+}  // namespace nacre

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <functional>
+#include <string>
+
+#include "nacre/pick/fit_shape.h"
+#include "nacre/scene/readers/index_reader.h"
+#include "nacre/colour/light.h"
+#include "nacre/pick/mechanism_search.h"
+#include "nacre/pick/picked_colour.h"
+#include "nacre/optics/measured_spectra.h"
+
+namespace nacre {
+
+/// How the core asks for a table of spectra at several angles. What comes back keeps MeasuredSpectra's promises. Throws
+/// Error (with the line and column in that file) or IoError.
+using SpectraReader = std::function<MeasuredSpectra(const std::string& file, const Where& where)>;
+
+/// What reading a material may need of the world around its table.
+struct SceneContext {
+    IndexReader index;
+    CurveReader read_curve;
+    SpectraReader read_spectra;
+    PickReaders picks{};
+    /// Looks for mechanisms that show given colours, best first; at least one.
+    std::function<std::vector<FoundMechanism>(const MechanismSearch&)> find_mechanisms{};
+    /// Called for every pick that is a colour.
+    std::function<void(const PickedColour&)> note_picked{};
+    /// Called with what was found for a material's picks.
+    std::function<void(const MechanismSearch&, const std::vector<FoundMechanism>&)> note_found{};
+    /// Called for a palette whose shape was fitted.
+    std::function<void(const ShapeFit&)> note_shape{};
+};
+
+}  // namespace nacre

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <optional>
+
+#include "nacre/material/mechanism.h"
+#include "nacre/optics/incidence.h"
+
+namespace nacre {
+
+/// A band in a reflectance spectrum: what the three numbers of a lobe say of any mechanism.
+struct Band {
+    double peak_nm = 0.0;               ///< where unpolarised light is reflected most
+    double height = 0.0;                ///< reflectance there
+    double half_height_width_nm = 0.0;  ///< full width at half of that height
+};
+
+/// The band whose peak lies within 15 % of a wavelength.
+///
+/// None if the spectrum is highest at an end of that range, or does not fall to half of its height on both sides: so
+/// black spectra have none, nor has what is seen near grazing, where the surface alone reflects nearly everything.
+///
+/// A scan in steps of 1/256 of that wavelength, in which one band of a stack of fifty periods is a dozen steps wide,
+/// and then ever finer scans around its highest point. Many wavelengths at once are what the solver is fast at;
+/// golden-section search asks for them one by one, and would need the same scan first.
+/// Accuracy: 0.01 nm of the peak, 1 % of the width. Irregular stacks are the mean of `band_realisations`: exact for
+/// those.
+/// @param expected_nm  vacuum wavelength, > 0; the mechanism's materials are known at 0.6 to 1.6 times that
+std::optional<Band> find_band(const Mechanism& mechanism, const Incidence& incidence, double expected_nm);
+
+inline constexpr int band_realisations = 128;
+
+}  // namespace nacre

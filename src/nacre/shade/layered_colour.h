@@ -1,0 +1,87 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "nacre/shade/spectral_sampling.h"
+#include "nacre/shade/work.h"
+#include "nacre/colour/colour_types.h"
+#include "nacre/optics/incidence.h"
+#include "nacre/optics/irregular.h"
+#include "nacre/optics/multilayer/multilayer.h"
+
+namespace nacre {
+
+/// The layer system of what is perfectly even. A metal base is part of it, below an incoherent layer of what was the
+/// substrate; any other base is not.
+/// @param blurred  nodes that are taken as incoherent
+/// @param slices   per plane of a crystal
+/// @pre is_layered(mechanism)
+LayerSystem even_system(const Mechanism& mechanism, std::span<const std::size_t> blurred = {},
+                        int slices = default_slices);
+
+/// The layer systems whose mean is what layers show: the even one alone, or many of uneven ones. A crystal's domains
+/// are regular, each with its own spacing.
+/// @param realisations  at most so many systems
+/// @pre is_layered(mechanism)
+LayerEnsemble layer_ensemble(const Mechanism& mechanism, int realisations, std::span<const std::size_t> blurred = {},
+                             int slices = default_slices);
+
+/// How many realisations are worth trying for an uneven mechanism. @pre is_layered(mechanism)
+RealisationCounts realisation_counts(const Mechanism& mechanism);
+
+/// What a diffuse base sends back of the light that has come through layers: the factor that their transmittance is
+/// multiplied by. With rho the base's reflectance, r the layers' reflectance from below and t their transmittance, both
+/// for light that comes evenly from all directions:  rho t / (1 - rho r).  Over a white base, layers that take nothing
+/// reflect everything.
+/// @param points  of the quadrature over directions, on either side of the critical angle
+std::vector<double> base_factors(const Base& base, const LayerEnsemble& ensemble,
+                                 std::span<const double> wavelengths_nm, int points, Work* work = nullptr);
+
+/// The colour of a film, stack or crystal, made ready to be asked at many angles.
+class LayeredColour {
+public:
+    /// @pre is_layered(mechanism), and the nodes are decided
+    LayeredColour(const Mechanism& mechanism, SpectralSampling sampling);
+
+    /// Before adaptation. @param work  what it takes is added
+    Xyz at(const Incidence& incidence, Work* work = nullptr);
+    /// Reflectances that the colour at an angle takes.
+    std::uint64_t samples(const Incidence& incidence) const;
+
+private:
+    struct Band {
+        std::vector<MultilayerSolver> solvers;  // one per system; none: not asked for yet
+        std::vector<double> base_factors;       // per node; none: no diffuse base
+    };
+    Band& band_at(std::size_t index, Work* work);
+    Xyz with_base(const Band& band, const SpectralNodes& nodes, const Incidence& incidence) const;
+    void count(const SpectralNodes& nodes, Work& work) const;
+
+    SpectralSampling sampling_;
+    Effects effects_;
+    LayerEnsemble ensemble_;
+    std::array<Band, band_least_cos_theta.size()> bands_;
+};
+
+/// Per plane of a crystal, wherever single reflectances are asked for.
+inline constexpr int spectrum_slices = 96;
+
+/// What becomes of light at some wavelengths, for many angles; the mean over realisations of uneven layers. Nothing
+/// passes a base.
+class LayeredSpectra {
+public:
+    /// @pre is_layered(mechanism)
+    LayeredSpectra(const Mechanism& mechanism, std::span<const double> wavelengths_nm, int realisations);
+
+    std::vector<Response> at(const Incidence& incidence) const;
+
+private:
+    std::size_t count_;
+    std::vector<double> shares_;             // of each solver
+    std::vector<MultilayerSolver> solvers_;  // one per realisation
+    std::vector<double> base_factors_;       // none: no diffuse base
+};
+
+}  // namespace nacre

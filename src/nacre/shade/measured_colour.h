@@ -1,0 +1,28 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "nacre/colour/light.h"
+#include "nacre/shade/work.h"
+#include "nacre/colour/colour_types.h"
+#include "nacre/optics/incidence.h"
+#include "nacre/optics/measured_spectra.h"
+
+namespace nacre {
+
+/// The colour of measured spectra: exact, for they are straight between their wavelengths, and so are the weights.
+class MeasuredColour {
+public:
+    MeasuredColour(const MeasuredSpectra& spectra, const Light& light);
+
+    /// Before adaptation. @param work  what it takes is added
+    Xyz at(const Incidence& incidence, Work* work = nullptr) const;
+    std::uint64_t samples() const { return weights_.size(); }
+
+private:
+    MeasuredCurve curve_;
+    std::vector<Xyz> weights_;  // per wavelength of the spectra
+};
+
+}  // namespace nacre

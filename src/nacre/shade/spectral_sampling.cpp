@@ -1,0 +1,57 @@
+#include "nacre/shade/spectral_sampling.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "nacre/shade/layered_colour.h"
+#include "nacre/scene/plan.h"
+#include "nacre/lut/sampler.h"
+#include "nacre/accuracy/thick_layers.h"
+
+namespace nacre {
+
+std::size_t band_of(const Incidence& incidence) {
+    std::size_t band = 0;
+    while (incidence.cos_theta < band_least_cos_theta[band]) ++band;
+    return band;
+}
+
+NodeCounts SpectralSampling::node_counts() const {
+    NodeCounts counts{};
+    for (std::size_t band = 0; band < counts.size(); ++band) counts[band] = nodes[band] ? nodes[band]->count : 0;
+    return counts;
+}
+
+bool samples_spectra(const Mechanism& mechanism) {
+    return is_layered(mechanism) || std::holds_alternative<Scatter>(mechanism);
+}
+
+double fringe_count(const Mechanism& mechanism, const LightSettings& light) {
+    return is_layered(mechanism) ? fringe_count(even_system(mechanism), light) : 0.0;
+}
+
+namespace {
+
+// Layers that a solver goes through: a group once, and its matrix as often as its number of repeats has bits.
+double solved_layers(const LayerSystem& system) {
+    double layers = 0.0;
+    for (const LayerNode& node : system.nodes) layers += node.repeat > 0 ? 2.0 * std::log2(node.repeat) : 1.0;
+    return layers;
+}
+
+}  // namespace
+
+double effort_per_sample(const Mechanism& mechanism, int slices) {
+    constexpr double of_a_layer = 0.25;
+    constexpr double of_a_line = 4.0;  // a grating's, within one nanometre
+    // Of uneven layers two are asked for, because then none of them repeats.
+    if (is_layered(mechanism))
+        return 1.0 + of_a_layer * solved_layers(layer_ensemble(mechanism, 2, {}, slices).systems.front());
+    return std::holds_alternative<Grating>(mechanism) ? of_a_line : 1.0;
+}
+
+SpectralSampling default_sampling(const Job& job) {
+    return choose_sampling(job, {}).sampling;
+}
+
+}  // namespace nacre

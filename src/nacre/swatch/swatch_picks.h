@@ -1,0 +1,16 @@
+#pragma once
+
+#include "nacre/scene/plan.h"
+#include "nacre/swatch/swatch_picture.h"
+
+namespace nacre {
+
+/// Every pick that is a colour beside what the material shows there, CIEDE2000 under each pair, and the strip between
+/// them below. A strip that is brighter than white is darkened; picked colours never are. Of more than `most_pairs`
+/// picks the first are shown.
+/// @pre the job's material has picks that are colours
+Swatch draw_picks(const PlannedSwatch& planned);
+
+inline constexpr std::size_t most_pairs = 12;
+
+}  // namespace nacre

@@ -11,9 +11,9 @@
 #include "cli/report.h"
 #include "cli/stop_signal.h"
 #include "io/image/font.h"
+#include "nacre/base/error.h"
 #include "nacre/base/names.h"
 #include "nacre/scene/output_names.h"
-#include "nacre/base/error.h"
 
 namespace nacre {
 namespace {

@@ -7,9 +7,9 @@
 #include "cli/stop_signal.h"
 #include "cli/swatch_file.h"
 #include "cli/thread_clock.h"
-#include "nacre/scene/output_names.h"
-#include "nacre/base/text.h"
 #include "nacre/base/error.h"
+#include "nacre/base/text.h"
+#include "nacre/scene/output_names.h"
 
 namespace nacre {
 namespace {

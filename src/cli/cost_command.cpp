@@ -8,9 +8,9 @@
 #include "cli/settled_luts.h"
 #include "cli/stop_signal.h"
 #include "io/disk/output_folder.h"
+#include "nacre/base/error.h"
 #include "nacre/base/names.h"
 #include "nacre/base/text.h"
-#include "nacre/base/error.h"
 
 namespace nacre {
 namespace {

@@ -3,11 +3,11 @@
 #include <algorithm>
 
 #include "cli/stop_signal.h"
-#include "pipeline/picked_colours.h"
 #include "io/scene/scene_file.h"
+#include "nacre/base/error.h"
 #include "nacre/base/names.h"
 #include "nacre/scene/output_names.h"
-#include "nacre/base/error.h"
+#include "pipeline/picked_colours.h"
 
 namespace nacre {
 namespace {

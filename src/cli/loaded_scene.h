@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "cli/console.h"
-#include "pipeline/baked_lut.h"
 #include "io/ocio/colour_config.h"
 #include "nacre/scene/plan.h"
+#include "pipeline/baked_lut.h"
 
 namespace nacre {
 

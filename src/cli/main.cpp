@@ -12,9 +12,9 @@
 #include "cli/commands.h"
 #include "cli/console.h"
 #include "cli/stop_signal.h"
-#include "pipeline/baked_lut.h"
-#include "nacre/base/names.h"
 #include "nacre/base/error.h"
+#include "nacre/base/names.h"
+#include "pipeline/baked_lut.h"
 
 namespace {
 

@@ -5,10 +5,10 @@
 #include <cctype>
 
 #include "io/scene/scene_file.h"
-#include "nacre/scene/hex_colour.h"
+#include "nacre/base/error.h"
 #include "nacre/base/names.h"
 #include "nacre/base/text.h"
-#include "nacre/base/error.h"
+#include "nacre/scene/hex_colour.h"
 
 namespace nacre {
 namespace {

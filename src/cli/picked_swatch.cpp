@@ -5,11 +5,11 @@
 #include "cli/loaded_scene.h"
 #include "cli/stop_signal.h"
 #include "cli/swatch_file.h"
-#include "io/image/font.h"
 #include "io/disk/output_folder.h"
-#include "pipeline/picked_colours.h"
+#include "io/image/font.h"
 #include "io/scene/scene_file.h"
 #include "nacre/base/error.h"
+#include "pipeline/picked_colours.h"
 
 namespace nacre {
 

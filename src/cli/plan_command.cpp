@@ -9,11 +9,11 @@
 #include "cli/settled_luts.h"
 #include "cli/stop_signal.h"
 #include "cli/text_table.h"
-#include "nacre/scene/catalogue.h"
-#include "nacre/base/names.h"
-#include "nacre/scene/output_names.h"
-#include "nacre/base/text.h"
 #include "nacre/base/error.h"
+#include "nacre/base/names.h"
+#include "nacre/base/text.h"
+#include "nacre/scene/catalogue.h"
+#include "nacre/scene/output_names.h"
 
 namespace nacre {
 namespace {

@@ -5,8 +5,8 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
-#include "nacre/scene/catalogue.h"
 #include "nacre/base/text.h"
+#include "nacre/scene/catalogue.h"
 
 namespace nacre {
 

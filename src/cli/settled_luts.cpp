@@ -8,8 +8,8 @@
 #include "cli/report.h"
 #include "cli/stop_signal.h"
 #include "cli/thread_clock.h"
-#include "nacre/base/text.h"
 #include "nacre/base/error.h"
+#include "nacre/base/text.h"
 
 namespace nacre {
 

@@ -7,12 +7,12 @@
 #include "cli/commands.h"
 #include "cli/stop_signal.h"
 #include "io/scene/curve_csv.h"
-#include "pipeline/picked_colours.h"
 #include "io/scene/scene_file.h"
-#include "nacre/lut/bake.h"
+#include "nacre/base/error.h"
 #include "nacre/base/names.h"
 #include "nacre/base/text.h"
-#include "nacre/base/error.h"
+#include "nacre/lut/bake.h"
+#include "pipeline/picked_colours.h"
 
 namespace nacre {
 namespace {

@@ -3,10 +3,10 @@
 #include "cli/commands.h"
 #include "cli/report.h"
 #include "cli/stop_signal.h"
-#include "pipeline/verify_lut.h"
+#include "nacre/base/error.h"
 #include "nacre/base/names.h"
 #include "nacre/base/text.h"
-#include "nacre/base/error.h"
+#include "pipeline/verify_lut.h"
 
 namespace nacre {
 namespace {

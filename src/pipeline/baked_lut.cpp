@@ -9,10 +9,10 @@
 #include <nlohmann/json.hpp>
 
 #include "io/disk/hash.h"
-#include "nacre/lut/bake.h"
+#include "nacre/base/error.h"
 #include "nacre/base/text.h"
 #include "nacre/colour/rgb_space.h"
-#include "nacre/base/error.h"
+#include "nacre/lut/bake.h"
 #include "nacre_version.h"
 
 namespace nacre {

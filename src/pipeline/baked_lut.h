@@ -5,8 +5,8 @@
 #include <string_view>
 #include <vector>
 
-#include "io/ocio/colour_config.h"
 #include "io/image/lut_file.h"
+#include "io/ocio/colour_config.h"
 #include "nacre/accuracy/measure.h"
 #include "nacre/accuracy/settle.h"
 #include "nacre/lut/bake.h"

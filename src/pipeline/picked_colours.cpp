@@ -7,9 +7,9 @@
 #include <utility>
 
 #include "io/ceres_solver.h"
-#include "pipeline/mechanism_finder.h"
 #include "io/scene/scene_file.h"
 #include "nacre/base/error.h"
+#include "pipeline/mechanism_finder.h"
 
 namespace nacre {
 namespace {

@@ -4,12 +4,12 @@
 #include <array>
 #include <cmath>
 
-#include "pipeline/baked_lut.h"
 #include "io/disk/hash.h"
 #include "io/scene/scene_file.h"
 #include "io/scene/shipped_materials.h"
-#include "nacre/base/names.h"
 #include "nacre/base/error.h"
+#include "nacre/base/names.h"
+#include "pipeline/baked_lut.h"
 
 namespace nacre {
 namespace {

@@ -16,12 +16,12 @@
 #include <vector>
 
 #include "bench/lut_colours.h"
-#include "pipeline/baked_lut.h"
+#include "nacre/base/gauss_points.h"
 #include "nacre/cost/rivals.h"
 #include "nacre/shade/layered_colour.h"
 #include "nacre/shade/prepared_colour.h"
 #include "nacre/shade/tilt.h"
-#include "nacre/base/gauss_points.h"
+#include "pipeline/baked_lut.h"
 
 namespace nacre::bench {
 namespace {

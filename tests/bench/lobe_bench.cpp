@@ -9,14 +9,14 @@
 #include <vector>
 
 #include "io/ceres_solver.h"
-#include "nacre/cost/rivals.h"
-#include "nacre/colour/light.h"
 #include "nacre/colour/difference.h"
 #include "nacre/colour/illuminant.h"
-#include "nacre/pick/lobe/lobe_finder.h"
+#include "nacre/colour/light.h"
 #include "nacre/colour/lobe_moments.h"
 #include "nacre/colour/tristimulus.h"
+#include "nacre/cost/rivals.h"
 #include "nacre/optics/lobe.h"
+#include "nacre/pick/lobe/lobe_finder.h"
 
 namespace nacre {
 namespace {

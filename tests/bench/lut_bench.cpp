@@ -1,10 +1,10 @@
 // A default LUT: computed, converted, encoded.
 #include <benchmark/benchmark.h>
 
-#include "pipeline/baked_lut.h"
+#include "nacre/colour/illuminant.h"
 #include "nacre/lut/bake.h"
 #include "nacre/lut/snippet.h"
-#include "nacre/colour/illuminant.h"
+#include "pipeline/baked_lut.h"
 
 namespace nacre {
 namespace {

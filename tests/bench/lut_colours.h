@@ -7,10 +7,10 @@
 #include <memory>
 #include <vector>
 
-#include "nacre/lut/bake.h"
 #include "nacre/colour/colour_distance.h"
-#include "nacre/lut/sampler.h"
 #include "nacre/colour/illuminant.h"
+#include "nacre/lut/bake.h"
+#include "nacre/lut/sampler.h"
 
 /// What benchmarks of LUTs share.
 namespace nacre::bench {

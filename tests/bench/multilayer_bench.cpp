@@ -13,12 +13,12 @@
 #include <optional>
 #include <vector>
 
-#include "pipeline/baked_lut.h"
+#include "nacre/colour/illuminant.h"
 #include "nacre/cost/rivals.h"
 #include "nacre/lut/bake.h"
-#include "nacre/shade/layered_colour.h"
-#include "nacre/colour/illuminant.h"
 #include "nacre/optics/multilayer/multilayer.h"
+#include "nacre/shade/layered_colour.h"
+#include "pipeline/baked_lut.h"
 
 namespace nacre {
 namespace {

@@ -9,9 +9,9 @@
 
 #include "io/ceres_solver.h"
 #include "io/scene/scene_file.h"
-#include "nacre/scene/plan.h"
 #include "nacre/pick/find_mechanism.h"
 #include "nacre/pick/shown_colours.h"
+#include "nacre/scene/plan.h"
 
 namespace nacre::bench {
 namespace {

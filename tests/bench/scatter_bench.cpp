@@ -10,8 +10,8 @@
 
 #include "bench/lut_colours.h"
 #include "nacre/cost/rivals.h"
-#include "nacre/shade/scatter_colour.h"
 #include "nacre/optics/mie.h"
+#include "nacre/shade/scatter_colour.h"
 
 namespace nacre::bench {
 namespace {

@@ -23,9 +23,9 @@
 #include <vector>
 
 #include "nacre/accuracy/settle.h"
+#include "nacre/colour/illuminant.h"
 #include "nacre/lut/bake.h"
 #include "nacre/material/effects.h"
-#include "nacre/colour/illuminant.h"
 #include "reference/dense_layers.h"
 #include "reference/dense_model.h"
 #include "reference/effects_model.h"

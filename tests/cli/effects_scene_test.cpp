@@ -11,11 +11,11 @@
 #include "io/scene/curve_csv.h"
 #include "io/scene/scene_file.h"
 #include "io/scene/spectra_csv.h"
-#include "nacre/scene/readers/base_reader.h"
+#include "nacre/base/error.h"
 #include "nacre/material/mechanism.h"
 #include "nacre/scene/plan.h"
+#include "nacre/scene/readers/base_reader.h"
 #include "nacre/scene/scene_context.h"
-#include "nacre/base/error.h"
 #include "support/program.h"
 
 namespace nacre::test {

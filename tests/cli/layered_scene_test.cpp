@@ -6,9 +6,9 @@
 #include <ostream>
 
 #include "io/scene/scene_file.h"
+#include "nacre/base/error.h"
 #include "nacre/lut/bake.h"
 #include "nacre/lut/sampler.h"
-#include "nacre/base/error.h"
 #include "support/program.h"
 
 namespace nacre::test {

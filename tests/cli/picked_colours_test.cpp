@@ -10,11 +10,11 @@
 #include <vector>
 
 #include "io/ocio/colour_config.h"
-#include "pipeline/picked_colours.h"
 #include "io/scene/scene_file.h"
-#include "nacre/colour/light.h"
-#include "nacre/colour/illuminant.h"
 #include "nacre/base/error.h"
+#include "nacre/colour/illuminant.h"
+#include "nacre/colour/light.h"
+#include "pipeline/picked_colours.h"
 #include "support/program.h"
 
 namespace nacre::test {

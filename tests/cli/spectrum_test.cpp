@@ -6,8 +6,8 @@
 #include <numbers>
 #include <sstream>
 
-#include "nacre/lut/bake.h"
 #include "nacre/colour/illuminant.h"
+#include "nacre/lut/bake.h"
 #include "support/program.h"
 
 namespace nacre::test {

@@ -9,12 +9,12 @@
 #include <random>
 
 #include "consumers/shader_runner.h"
-#include "pipeline/baked_lut.h"
 #include "io/scene/scene_file.h"
 #include "nacre/accuracy/trial.h"
 #include "nacre/lut/bake.h"
 #include "nacre/lut/sampler.h"
 #include "nacre/lut/snippet.h"
+#include "pipeline/baked_lut.h"
 #include "support/program.h"
 
 namespace nacre::testing {

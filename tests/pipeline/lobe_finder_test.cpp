@@ -12,8 +12,8 @@
 #include <vector>
 
 #include "io/ceres_solver.h"
-#include "nacre/colour/light.h"
 #include "nacre/colour/illuminant.h"
+#include "nacre/colour/light.h"
 #include "nacre/pick/lobe/many_differences.h"
 
 namespace nacre {

@@ -15,13 +15,13 @@
 #include <vector>
 
 #include "io/ceres_solver.h"
-#include "pipeline/picked_colours.h"
 #include "io/scene/scene_file.h"
 #include "io/scene/shipped_materials.h"
 #include "nacre/base/error.h"
 #include "nacre/pick/find_mechanism.h"
 #include "nacre/pick/near_materials.h"
 #include "nacre/pick/simplicity.h"
+#include "pipeline/picked_colours.h"
 #include "reference/effects_model.h"
 #include "reference/number.h"
 

@@ -10,10 +10,10 @@
 #include <utility>
 #include <vector>
 
-#include "nacre/lut/fetch.h"
-#include "nacre/lut/bake.h"
 #include "nacre/colour/difference.h"
 #include "nacre/colour/illuminant.h"
+#include "nacre/lut/bake.h"
+#include "nacre/lut/fetch.h"
 #include "support/test_encoding.h"
 
 namespace nacre {

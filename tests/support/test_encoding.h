@@ -5,9 +5,9 @@
 #include <glm/matrix.hpp>
 #include <limits>
 
-#include "nacre/lut/encoding.h"
 #include "nacre/colour/adaptation.h"
 #include "nacre/colour/rgb_space.h"
+#include "nacre/lut/encoding.h"
 
 namespace nacre::test {
 

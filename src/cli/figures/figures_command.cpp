@@ -3,11 +3,11 @@
 #include "cli/commands.h"
 #include "cli/figures/paper_pictures.h"
 #include "cli/stop_signal.h"
-#include "io/ocio/colour_config.h"
+#include "io/disk/output_folder.h"
 #include "io/image/font.h"
 #include "io/image/gnuplot.h"
-#include "io/disk/output_folder.h"
 #include "io/image/swatch_png.h"
+#include "io/ocio/colour_config.h"
 #include "nacre/base/names.h"
 #include "nacre/swatch/swatch.h"
 

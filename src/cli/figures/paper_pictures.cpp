@@ -6,9 +6,9 @@
 #include <string_view>
 
 #include "cli/figures/stack_pictures.h"
+#include "nacre/base/text.h"
 #include "nacre/swatch/swatch.h"
 #include "nacre/swatch/swatch_gamut.h"
-#include "nacre/base/text.h"
 
 namespace nacre {
 

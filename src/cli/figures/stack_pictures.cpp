@@ -5,8 +5,8 @@
 #include <string_view>
 #include <vector>
 
-#include "nacre/paper/paper_judged.h"
 #include "nacre/base/text.h"
+#include "nacre/paper/paper_judged.h"
 
 namespace nacre {
 

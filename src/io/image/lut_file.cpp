@@ -11,9 +11,9 @@
 #include <limits>
 #include <string_view>
 
-#include "nacre/scene/plan.h"
-#include "nacre/base/text.h"
 #include "nacre/base/error.h"
+#include "nacre/base/text.h"
+#include "nacre/scene/plan.h"
 
 namespace nacre {
 namespace {

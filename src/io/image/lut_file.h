@@ -6,9 +6,9 @@
 #include <utility>
 #include <vector>
 
-#include "nacre/scene/catalogue.h"
 #include "nacre/base/image.h"
 #include "nacre/colour/colour_types.h"
+#include "nacre/scene/catalogue.h"
 
 namespace nacre {
 

@@ -3,8 +3,8 @@
 #include <string>
 
 #include "io/image/text_face.h"
-#include "nacre/swatch/swatch_picture.h"
 #include "nacre/colour/colour_types.h"
+#include "nacre/swatch/swatch_picture.h"
 
 namespace nacre {
 

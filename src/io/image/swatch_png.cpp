@@ -11,8 +11,8 @@
 #include <variant>
 
 #include "io/image/swatch_canvas.h"
-#include "nacre/swatch/swatch_gamut.h"
 #include "nacre/base/error.h"
+#include "nacre/swatch/swatch_gamut.h"
 
 namespace nacre {
 namespace {

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "nacre/base/image.h"
-#include "nacre/swatch/swatch_picture.h"
 #include "nacre/colour/colour_types.h"
+#include "nacre/swatch/swatch_picture.h"
 
 namespace nacre {
 

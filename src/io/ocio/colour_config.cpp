@@ -8,11 +8,11 @@
 #include <filesystem>
 #include <utility>
 
-#include "io/ocio/colour_entrance.h"
 #include "io/disk/hash.h"
+#include "io/ocio/colour_entrance.h"
 #include "io/ocio/known_spaces.h"
-#include "nacre/base/names.h"
 #include "nacre/base/error.h"
+#include "nacre/base/names.h"
 
 namespace nacre {
 

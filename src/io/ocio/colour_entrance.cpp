@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "io/ocio/known_spaces.h"
-#include "nacre/base/names.h"
 #include "nacre/base/error.h"
+#include "nacre/base/names.h"
 
 namespace nacre {
 namespace {

@@ -6,9 +6,9 @@
 #include <string_view>
 
 #include "io/scene/text_file.h"
+#include "nacre/base/error.h"
 #include "nacre/base/names.h"
 #include "nacre/base/text.h"
-#include "nacre/base/error.h"
 
 namespace nacre {
 namespace {

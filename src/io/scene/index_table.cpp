@@ -7,8 +7,8 @@
 
 #include "io/scene/curve_csv.h"
 #include "io/scene/text_file.h"
-#include "nacre/base/text.h"
 #include "nacre/base/error.h"
+#include "nacre/base/text.h"
 
 namespace nacre {
 namespace {

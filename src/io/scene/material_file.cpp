@@ -13,9 +13,9 @@
 #include "io/scene/index_table.h"
 #include "io/scene/text_file.h"
 #include "io/scene/yaml_tree.h"
+#include "nacre/base/error.h"
 #include "nacre/base/names.h"
 #include "nacre/base/text.h"
-#include "nacre/base/error.h"
 
 namespace nacre {
 namespace {

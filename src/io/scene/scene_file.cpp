@@ -11,9 +11,9 @@
 #include "io/scene/shipped_materials.h"
 #include "io/scene/spectra_csv.h"
 #include "io/scene/text_file.h"
+#include "nacre/base/error.h"
 #include "nacre/base/names.h"
 #include "nacre/base/text.h"
-#include "nacre/base/error.h"
 
 namespace nacre {
 namespace {

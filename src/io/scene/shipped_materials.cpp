@@ -4,8 +4,8 @@
 #include <utility>
 
 #include "io/scene/material_file.h"
-#include "nacre/base/names.h"
 #include "nacre/base/error.h"
+#include "nacre/base/names.h"
 
 namespace nacre {
 

@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "io/scene/curve_csv.h"
+#include "nacre/base/error.h"
 #include "nacre/base/names.h"
 #include "nacre/base/text.h"
-#include "nacre/base/error.h"
 
 namespace nacre {
 namespace {

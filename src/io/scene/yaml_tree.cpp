@@ -10,8 +10,8 @@
 #include <sstream>
 #include <utility>
 
-#include "nacre/base/names.h"
 #include "nacre/base/error.h"
+#include "nacre/base/names.h"
 
 namespace nacre {
 namespace {

@@ -4,14 +4,14 @@
 #include <optional>
 #include <utility>
 
-#include "nacre/shade/bends.h"
-#include "nacre/colour/colour_distance.h"
-#include "nacre/shade/layered_colour.h"
-#include "nacre/scene/plan.h"
-#include "nacre/lut/sampler.h"
-#include "nacre/shade/spectral_sampling.h"
 #include "nacre/accuracy/thick_layers.h"
+#include "nacre/colour/colour_distance.h"
 #include "nacre/colour/difference.h"
+#include "nacre/lut/sampler.h"
+#include "nacre/scene/plan.h"
+#include "nacre/shade/bends.h"
+#include "nacre/shade/layered_colour.h"
+#include "nacre/shade/spectral_sampling.h"
 
 namespace nacre {
 namespace {

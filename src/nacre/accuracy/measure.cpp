@@ -7,8 +7,8 @@
 
 #include "nacre/accuracy/reference.h"
 #include "nacre/accuracy/trial.h"
-#include "nacre/shade/layered_colour.h"
 #include "nacre/lut/sampler.h"
+#include "nacre/shade/layered_colour.h"
 
 namespace nacre {
 namespace {

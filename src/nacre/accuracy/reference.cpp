@@ -6,11 +6,11 @@
 #include <cstddef>
 #include <numbers>
 
-#include "nacre/lut/bake.h"
-#include "nacre/shade/layered_colour.h"
-#include "nacre/lut/sampler.h"
 #include "nacre/colour/cie_tables.h"
+#include "nacre/lut/bake.h"
+#include "nacre/lut/sampler.h"
 #include "nacre/optics/reversed.h"
+#include "nacre/shade/layered_colour.h"
 
 namespace nacre {
 namespace {

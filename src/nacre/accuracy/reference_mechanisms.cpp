@@ -4,9 +4,9 @@
 #include <numbers>
 
 #include "nacre/accuracy/reference.h"
-#include "nacre/shade/bends.h"
 #include "nacre/colour/colour_distance.h"
 #include "nacre/lut/sampler.h"
+#include "nacre/shade/bends.h"
 
 namespace nacre {
 namespace {

@@ -3,9 +3,9 @@
 #include <string>
 #include <vector>
 
+#include "nacre/lut/bake.h"
 #include "nacre/lut/encoding.h"
 #include "nacre/lut/fetch.h"
-#include "nacre/lut/bake.h"
 #include "nacre/scene/plan.h"
 #include "nacre/shade/work.h"
 

@@ -4,12 +4,12 @@
 #include <span>
 #include <vector>
 
+#include "nacre/accuracy/model_curve.h"
+#include "nacre/colour/difference.h"
+#include "nacre/lut/bake.h"
 #include "nacre/lut/encoding.h"
 #include "nacre/lut/fetch.h"
-#include "nacre/accuracy/model_curve.h"
-#include "nacre/lut/bake.h"
 #include "nacre/lut/sampler.h"
-#include "nacre/colour/difference.h"
 
 namespace nacre {
 

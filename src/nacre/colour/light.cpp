@@ -4,10 +4,10 @@
 #include <cstddef>
 #include <utility>
 
-#include "nacre/scene/catalogue.h"
 #include "nacre/base/crop_curve.h"
 #include "nacre/colour/cie_tables.h"
 #include "nacre/colour/illuminant.h"
+#include "nacre/scene/catalogue.h"
 
 namespace nacre {
 namespace {

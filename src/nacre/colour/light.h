@@ -7,10 +7,10 @@
 
 #include <glm/mat3x3.hpp>
 
-#include "nacre/scene/table.h"
 #include "nacre/colour/adaptation.h"
 #include "nacre/colour/lobe_moments.h"
 #include "nacre/colour/tristimulus.h"
+#include "nacre/scene/table.h"
 
 namespace nacre {
 

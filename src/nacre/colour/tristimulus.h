@@ -2,10 +2,10 @@
 
 #include <vector>
 
-#include "nacre/colour/colour_types.h"
-#include "nacre/colour/observer.h"
 #include "nacre/base/sampled_curve.h"
 #include "nacre/base/spectrum.h"
+#include "nacre/colour/colour_types.h"
+#include "nacre/colour/observer.h"
 
 namespace nacre {
 

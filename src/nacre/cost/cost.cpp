@@ -6,10 +6,10 @@
 #include <memory>
 #include <utility>
 
-#include "nacre/cost/effect_cost.h"
-#include "nacre/cost/rivals.h"
 #include "nacre/accuracy/scan.h"
 #include "nacre/base/text.h"
+#include "nacre/cost/effect_cost.h"
+#include "nacre/cost/rivals.h"
 
 namespace nacre {
 namespace {

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "nacre/lut/encoding.h"
 #include "nacre/accuracy/settle.h"
+#include "nacre/lut/encoding.h"
 #include "nacre/scene/plan.h"
 
 namespace nacre {

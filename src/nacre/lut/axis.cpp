@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "nacre/base/error.h"
 #include "nacre/base/names.h"
 #include "nacre/base/text.h"
-#include "nacre/base/error.h"
 
 namespace nacre {
 namespace {

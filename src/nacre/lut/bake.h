@@ -6,10 +6,10 @@
 #include <vector>
 
 #include "nacre/base/image.h"
-#include "nacre/scene/plan.h"
-#include "nacre/shade/work.h"
 #include "nacre/colour/colour_types.h"
 #include "nacre/optics/response.h"
+#include "nacre/scene/plan.h"
+#include "nacre/shade/work.h"
 
 namespace nacre {
 

@@ -9,9 +9,9 @@
 #include <limits>
 #include <numbers>
 
-#include "nacre/lut/gamut.h"
 #include "nacre/colour/observer.h"
 #include "nacre/colour/oklab.h"
+#include "nacre/lut/gamut.h"
 
 namespace nacre {
 namespace {

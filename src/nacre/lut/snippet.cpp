@@ -5,8 +5,8 @@
 #include <string_view>
 #include <utility>
 
-#include "nacre/lut/axis_kinds.h"
 #include "nacre/base/text.h"
+#include "nacre/lut/axis_kinds.h"
 
 namespace nacre {
 namespace {

@@ -5,8 +5,8 @@
 #include <map>
 #include <memory>
 
-#include "nacre/scene/plan.h"
 #include "nacre/lut/sampler.h"
+#include "nacre/scene/plan.h"
 
 namespace nacre {
 namespace {

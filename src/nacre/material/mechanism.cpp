@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <array>
 
+#include "nacre/base/names.h"
 #include "nacre/scene/readers/free_reader.h"
 #include "nacre/scene/readers/mechanism_readers.h"
-#include "nacre/base/names.h"
 
 namespace nacre {
 namespace {

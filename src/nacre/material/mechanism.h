@@ -8,10 +8,7 @@
 #include <variant>
 #include <vector>
 
-#include "nacre/pick/fit_shape.h"
 #include "nacre/material/geometry.h"
-#include "nacre/pick/picked_colour.h"
-#include "nacre/scene/table.h"
 #include "nacre/optics/base.h"
 #include "nacre/optics/crystal.h"
 #include "nacre/optics/grating.h"
@@ -20,6 +17,9 @@
 #include "nacre/optics/palette.h"
 #include "nacre/optics/polarisation.h"
 #include "nacre/optics/scatter.h"
+#include "nacre/pick/fit_shape.h"
+#include "nacre/pick/picked_colour.h"
+#include "nacre/scene/table.h"
 
 namespace nacre {
 

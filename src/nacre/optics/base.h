@@ -4,8 +4,8 @@
 #include <string>
 #include <variant>
 
-#include "nacre/optics/refractive_index.h"
 #include "nacre/base/sampled_curve.h"
+#include "nacre/optics/refractive_index.h"
 
 namespace nacre {
 

@@ -7,7 +7,6 @@
 #include <cstddef>
 #include <numbers>
 #include <optional>
-#include <utility>
 
 namespace nacre {
 namespace {
@@ -170,7 +169,11 @@ std::optional<double> crossing_deg(const PaletteCurve& curve, double inside_deg,
     return outside_deg;
 }
 
-std::pair<double, double> outer_picks_deg(const Palette& palette) {
+struct OuterPicks {
+    double first_deg, last_deg;
+};
+
+OuterPicks outer_picks(const Palette& palette) {
     const auto [first, last] =
         std::minmax_element(palette.picks.begin(), palette.picks.end(),
                             [](const Pick& a, const Pick& b) { return a.angle_deg < b.angle_deg; });
@@ -181,18 +184,19 @@ std::pair<double, double> outer_picks_deg(const Palette& palette) {
 
 ClampBounds palette_clamp_bounds(const Palette& palette) {
     const PaletteCurve curve(palette);
-    const auto [first_deg, last_deg] = outer_picks_deg(palette);
-    return {crossing_deg(curve, first_deg, 0.0, needs_clamping), crossing_deg(curve, last_deg, 90.0, needs_clamping)};
+    const OuterPicks outer = outer_picks(palette);
+    return {crossing_deg(curve, outer.first_deg, 0.0, needs_clamping),
+            crossing_deg(curve, outer.last_deg, 90.0, needs_clamping)};
 }
 
 std::vector<double> palette_bends_deg(const Palette& palette) {
     const PaletteCurve curve(palette);
-    const auto [first_deg, last_deg] = outer_picks_deg(palette);
+    const OuterPicks outer = outer_picks(palette);
     std::vector<double> bends_deg;
     for (const Pick& pick : palette.picks) bends_deg.push_back(pick.angle_deg);
     const auto add_crossings = [&](auto is_beyond) {
-        if (const auto below = crossing_deg(curve, first_deg, 0.0, is_beyond)) bends_deg.push_back(*below);
-        if (const auto above = crossing_deg(curve, last_deg, 90.0, is_beyond)) bends_deg.push_back(*above);
+        if (const auto below = crossing_deg(curve, outer.first_deg, 0.0, is_beyond)) bends_deg.push_back(*below);
+        if (const auto above = crossing_deg(curve, outer.last_deg, 90.0, is_beyond)) bends_deg.push_back(*above);
     };
     add_crossings([](const Lobe& lobe) { return lobe.height < 0.0; });
     add_crossings([](const Lobe& lobe) { return lobe.height > 1.0; });

@@ -2,10 +2,10 @@
 #include <string>
 #include <vector>
 
-#include "nacre/shade/band.h"
+#include "nacre/base/text.h"
 #include "nacre/paper/paper_figures.h"
 #include "nacre/paper/paper_stacks.h"
-#include "nacre/base/text.h"
+#include "nacre/shade/band.h"
 
 namespace nacre {
 namespace {

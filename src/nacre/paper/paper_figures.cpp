@@ -7,11 +7,11 @@
 #include <numeric>
 #include <utility>
 
+#include "nacre/base/text.h"
+#include "nacre/colour/illuminant.h"
 #include "nacre/lut/bake.h"
 #include "nacre/swatch/swatch.h"
 #include "nacre/swatch/swatch_gamut.h"
-#include "nacre/base/text.h"
-#include "nacre/colour/illuminant.h"
 
 namespace nacre {
 namespace {

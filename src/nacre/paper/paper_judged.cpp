@@ -7,10 +7,10 @@
 #include <iterator>
 #include <utility>
 
-#include "nacre/lut/bake.h"
-#include "nacre/shade/band.h"
 #include "nacre/base/text.h"
 #include "nacre/colour/difference.h"
+#include "nacre/lut/bake.h"
+#include "nacre/shade/band.h"
 
 namespace nacre {
 namespace {

@@ -4,11 +4,11 @@
 #include <string>
 #include <vector>
 
+#include "nacre/colour/colour_types.h"
 #include "nacre/colour/light.h"
 #include "nacre/material/mechanism.h"
 #include "nacre/paper/paper_figures.h"
 #include "nacre/paper/paper_stacks.h"
-#include "nacre/colour/colour_types.h"
 
 namespace nacre {
 

@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "nacre/paper/paper.h"
 #include "nacre/optics/layered.h"
+#include "nacre/paper/paper.h"
 
 namespace nacre {
 

@@ -3,9 +3,9 @@
 #include <functional>
 #include <vector>
 
+#include "nacre/base/least_squares.h"
 #include "nacre/colour/light.h"
 #include "nacre/pick/mechanism_search.h"
-#include "nacre/base/least_squares.h"
 
 namespace nacre {
 

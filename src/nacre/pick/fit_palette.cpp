@@ -4,9 +4,9 @@
 #include <array>
 #include <cmath>
 
-#include "nacre/shade/measured_colour.h"
 #include "nacre/colour/difference.h"
 #include "nacre/pick/lobe/lobe_finder.h"
+#include "nacre/shade/measured_colour.h"
 
 namespace nacre {
 namespace {

@@ -3,8 +3,8 @@
 #include <cstddef>
 #include <vector>
 
-#include "nacre/colour/light.h"
 #include "nacre/base/least_squares.h"
+#include "nacre/colour/light.h"
 #include "nacre/optics/measured_spectra.h"
 #include "nacre/optics/palette.h"
 

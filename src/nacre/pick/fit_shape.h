@@ -3,8 +3,8 @@
 #include <optional>
 #include <vector>
 
-#include "nacre/pick/picked_colour.h"
 #include "nacre/optics/palette.h"
+#include "nacre/pick/picked_colour.h"
 
 namespace nacre {
 

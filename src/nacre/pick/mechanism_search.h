@@ -7,9 +7,9 @@
 #include <utility>
 #include <vector>
 
+#include "nacre/colour/colour_types.h"
 #include "nacre/material/geometry.h"
 #include "nacre/material/mechanism.h"
-#include "nacre/colour/colour_types.h"
 
 namespace nacre {
 

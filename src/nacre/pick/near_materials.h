@@ -4,8 +4,8 @@
 #include <span>
 #include <vector>
 
-#include "nacre/pick/mechanism_search.h"
 #include "nacre/pick/find_mechanism.h"
+#include "nacre/pick/mechanism_search.h"
 
 namespace nacre {
 

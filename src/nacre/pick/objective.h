@@ -3,11 +3,11 @@
 #include <span>
 #include <vector>
 
+#include "nacre/base/least_squares.h"
+#include "nacre/colour/difference.h"
 #include "nacre/colour/light.h"
 #include "nacre/pick/mechanism_search.h"
-#include "nacre/colour/difference.h"
 #include "nacre/pick/shown_colours.h"
-#include "nacre/base/least_squares.h"
 
 namespace nacre {
 

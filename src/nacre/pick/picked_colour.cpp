@@ -4,9 +4,9 @@
 #include <array>
 #include <cctype>
 
-#include "nacre/scene/hex_colour.h"
 #include "nacre/base/names.h"
 #include "nacre/base/text.h"
+#include "nacre/scene/hex_colour.h"
 
 namespace nacre {
 

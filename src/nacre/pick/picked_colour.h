@@ -6,11 +6,11 @@
 #include <string>
 #include <vector>
 
-#include "nacre/scene/table.h"
 #include "nacre/colour/colour_types.h"
-#include "nacre/pick/lobe/lobe_finder.h"
 #include "nacre/optics/lobe.h"
 #include "nacre/optics/measured_spectra.h"
+#include "nacre/pick/lobe/lobe_finder.h"
+#include "nacre/scene/table.h"
 
 namespace nacre {
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "nacre/shade/prepared_colour.h"
 #include "nacre/colour/adaptation.h"
+#include "nacre/shade/prepared_colour.h"
 
 namespace nacre {
 namespace {

@@ -5,9 +5,9 @@
 #include <span>
 #include <vector>
 
-#include "nacre/shade/grating_pieces.h"
 #include "nacre/colour/light.h"
 #include "nacre/pick/mechanism_search.h"
+#include "nacre/shade/grating_pieces.h"
 #include "nacre/shade/spectral_sampling.h"
 
 namespace nacre {

@@ -6,12 +6,12 @@
 #include <string_view>
 #include <vector>
 
-#include "nacre/lut/gamut.h"
 #include "nacre/base/names.h"
-#include "nacre/scene/table.h"
 #include "nacre/base/text.h"
 #include "nacre/colour/adaptation.h"
 #include "nacre/colour/observer.h"
+#include "nacre/lut/gamut.h"
+#include "nacre/scene/table.h"
 
 namespace nacre {
 

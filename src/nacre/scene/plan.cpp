@@ -4,13 +4,13 @@
 #include <deque>
 #include <utility>
 
-#include "nacre/shade/measured_colour.h"
-#include "nacre/pick/missed_picks.h"
+#include "nacre/base/error.h"
 #include "nacre/base/names.h"
+#include "nacre/lut/sampler.h"
+#include "nacre/pick/missed_picks.h"
 #include "nacre/scene/output_names.h"
 #include "nacre/scene/plan_tables.h"
-#include "nacre/lut/sampler.h"
-#include "nacre/base/error.h"
+#include "nacre/shade/measured_colour.h"
 
 namespace nacre {
 namespace {

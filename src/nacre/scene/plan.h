@@ -5,15 +5,15 @@
 #include <string>
 #include <vector>
 
-#include "nacre/lut/axis.h"
-#include "nacre/scene/catalogue.h"
-#include "nacre/material/effects.h"
-#include "nacre/scene/readers/index_reader.h"
+#include "nacre/base/least_squares.h"
 #include "nacre/colour/light.h"
+#include "nacre/lut/axis.h"
+#include "nacre/material/effects.h"
 #include "nacre/material/mechanism.h"
+#include "nacre/scene/catalogue.h"
+#include "nacre/scene/readers/index_reader.h"
 #include "nacre/scene/scene_context.h"
 #include "nacre/shade/spectral_sampling.h"
-#include "nacre/base/least_squares.h"
 
 namespace nacre {
 

@@ -3,12 +3,12 @@
 #include <functional>
 #include <string>
 
-#include "nacre/pick/fit_shape.h"
-#include "nacre/scene/readers/index_reader.h"
 #include "nacre/colour/light.h"
+#include "nacre/optics/measured_spectra.h"
+#include "nacre/pick/fit_shape.h"
 #include "nacre/pick/mechanism_search.h"
 #include "nacre/pick/picked_colour.h"
-#include "nacre/optics/measured_spectra.h"
+#include "nacre/scene/readers/index_reader.h"
 
 namespace nacre {
 

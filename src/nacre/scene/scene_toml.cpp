@@ -1,5 +1,5 @@
-#include "nacre/scene/plan.h"
 #include "nacre/base/text.h"
+#include "nacre/scene/plan.h"
 
 namespace nacre {
 namespace {

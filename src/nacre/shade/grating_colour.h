@@ -6,10 +6,10 @@
 #include <memory>
 #include <vector>
 
-#include "nacre/shade/grating_pieces.h"
-#include "nacre/colour/light.h"
 #include "nacre/colour/colour_types.h"
+#include "nacre/colour/light.h"
 #include "nacre/optics/grating.h"
+#include "nacre/shade/grating_pieces.h"
 
 namespace nacre {
 

@@ -4,12 +4,12 @@
 #include <span>
 #include <vector>
 
-#include "nacre/shade/spectral_sampling.h"
-#include "nacre/shade/work.h"
 #include "nacre/colour/colour_types.h"
 #include "nacre/optics/incidence.h"
 #include "nacre/optics/irregular.h"
 #include "nacre/optics/multilayer/multilayer.h"
+#include "nacre/shade/spectral_sampling.h"
+#include "nacre/shade/work.h"
 
 namespace nacre {
 

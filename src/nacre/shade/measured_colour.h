@@ -3,11 +3,11 @@
 #include <memory>
 #include <vector>
 
-#include "nacre/colour/light.h"
-#include "nacre/shade/work.h"
 #include "nacre/colour/colour_types.h"
+#include "nacre/colour/light.h"
 #include "nacre/optics/incidence.h"
 #include "nacre/optics/measured_spectra.h"
+#include "nacre/shade/work.h"
 
 namespace nacre {
 

@@ -4,10 +4,10 @@
 #include <optional>
 #include <vector>
 
+#include "nacre/colour/colour_types.h"
 #include "nacre/material/mechanism.h"
 #include "nacre/shade/spectral_sampling.h"
 #include "nacre/shade/work.h"
-#include "nacre/colour/colour_types.h"
 
 namespace nacre {
 

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "nacre/shade/layered_colour.h"
-#include "nacre/scene/plan.h"
-#include "nacre/lut/sampler.h"
 #include "nacre/accuracy/thick_layers.h"
+#include "nacre/lut/sampler.h"
+#include "nacre/scene/plan.h"
+#include "nacre/shade/layered_colour.h"
 
 namespace nacre {
 

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <numbers>
 
+#include "nacre/base/gauss_points.h"
 #include "nacre/colour/colour_distance.h"
 #include "nacre/shade/spectral_sampling.h"
-#include "nacre/base/gauss_points.h"
 
 namespace nacre {
 namespace {

@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
-#include "nacre/colour/xyz_curve.h"
 #include "nacre/colour/colour_types.h"
+#include "nacre/colour/xyz_curve.h"
 #include "nacre/optics/incidence.h"
 
 namespace nacre {

@@ -6,10 +6,10 @@
 #include <cstddef>
 #include <utility>
 
+#include "nacre/base/text.h"
 #include "nacre/lut/bake.h"
 #include "nacre/lut/sampler.h"
 #include "nacre/shade/spectral_sampling.h"
-#include "nacre/base/text.h"
 
 namespace nacre {
 namespace {

@@ -4,9 +4,9 @@
 #include <string>
 
 #include "nacre/base/image.h"
+#include "nacre/colour/colour_types.h"
 #include "nacre/swatch/swatch_layout.h"
 #include "nacre/swatch/swatch_picture.h"
-#include "nacre/colour/colour_types.h"
 
 namespace nacre {
 

@@ -5,9 +5,9 @@
 #include <cstddef>
 #include <numbers>
 
+#include "nacre/base/text.h"
 #include "nacre/swatch/swatch_gamut.h"
 #include "nacre/swatch/swatch_layout.h"
-#include "nacre/base/text.h"
 
 namespace nacre {
 namespace {

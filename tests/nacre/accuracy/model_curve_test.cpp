@@ -9,8 +9,8 @@
 #include <utility>
 
 #include "nacre/accuracy/trial.h"
-#include "nacre/lut/sampler.h"
 #include "nacre/colour/illuminant.h"
+#include "nacre/lut/sampler.h"
 
 namespace nacre {
 namespace {

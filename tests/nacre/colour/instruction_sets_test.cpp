@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "nacre/colour/illuminant.h"
-#include "nacre/pick/lobe/many_differences.h"
 #include "nacre/colour/tristimulus.h"
+#include "nacre/pick/lobe/many_differences.h"
 
 namespace nacre {
 namespace {

@@ -15,12 +15,12 @@
 #include <utility>
 #include <vector>
 
-#include "nacre/lut/bake.h"
-#include "nacre/scene/readers/base_reader.h"
-#include "nacre/shade/layered_colour.h"
-#include "nacre/scene/plan.h"
 #include "nacre/colour/illuminant.h"
 #include "nacre/colour/rgb_space.h"
+#include "nacre/lut/bake.h"
+#include "nacre/scene/plan.h"
+#include "nacre/scene/readers/base_reader.h"
+#include "nacre/shade/layered_colour.h"
 
 namespace nacre {
 namespace {

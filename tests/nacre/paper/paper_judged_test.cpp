@@ -10,9 +10,9 @@
 #include <utility>
 #include <vector>
 
+#include "nacre/colour/adaptation.h"
 #include "nacre/lut/bake.h"
 #include "nacre/shade/band.h"
-#include "nacre/colour/adaptation.h"
 
 namespace nacre {
 namespace {

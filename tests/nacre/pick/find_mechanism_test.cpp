@@ -4,9 +4,9 @@
 
 #include <cmath>
 
-#include "nacre/shade/prepared_colour.h"
 #include "nacre/colour/adaptation.h"
 #include "nacre/colour/illuminant.h"
+#include "nacre/shade/prepared_colour.h"
 
 // What the search does around its solver, with a solver that does nothing. The rest is in tests/io.
 namespace nacre {

@@ -6,9 +6,9 @@
 #include <cmath>
 #include <vector>
 
-#include "nacre/colour/light.h"
 #include "nacre/colour/difference.h"
 #include "nacre/colour/illuminant.h"
+#include "nacre/colour/light.h"
 
 namespace nacre {
 namespace {

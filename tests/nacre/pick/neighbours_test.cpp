@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <vector>
 
-#include "nacre/colour/light.h"
 #include "nacre/colour/illuminant.h"
+#include "nacre/colour/light.h"
 #include "nacre/pick/shown_colours.h"
 
 namespace nacre {

@@ -4,8 +4,8 @@
 
 #include <cmath>
 
-#include "nacre/paper/paper_stacks.h"
 #include "nacre/optics/multilayer/multilayer.h"
+#include "nacre/paper/paper_stacks.h"
 
 namespace nacre {
 namespace {

@@ -6,10 +6,10 @@
 #include <cmath>
 #include <cstddef>
 
-#include "nacre/shade/grating_colour.h"
 #include "nacre/colour/adaptation.h"
 #include "nacre/colour/difference.h"
 #include "nacre/colour/illuminant.h"
+#include "nacre/shade/grating_colour.h"
 #include "reference/number.h"
 
 namespace nacre {

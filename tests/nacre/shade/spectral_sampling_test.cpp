@@ -10,11 +10,11 @@
 #include <string>
 #include <utility>
 
-#include "nacre/shade/layered_colour.h"
-#include "nacre/scene/plan.h"
 #include "nacre/accuracy/thick_layers.h"
 #include "nacre/colour/difference.h"
 #include "nacre/colour/illuminant.h"
+#include "nacre/scene/plan.h"
+#include "nacre/shade/layered_colour.h"
 
 namespace nacre {
 namespace {

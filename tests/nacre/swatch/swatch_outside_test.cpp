@@ -7,11 +7,11 @@
 #include <string>
 #include <vector>
 
+#include "nacre/colour/adaptation.h"
+#include "nacre/colour/rgb_space.h"
 #include "nacre/lut/bake.h"
 #include "nacre/lut/gamut.h"
 #include "nacre/swatch/swatch.h"
-#include "nacre/colour/adaptation.h"
-#include "nacre/colour/rgb_space.h"
 #include "support/palette_luts.h"
 #include "support/test_encoding.h"
 

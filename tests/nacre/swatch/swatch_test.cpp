@@ -10,11 +10,11 @@
 #include <utility>
 #include <vector>
 
+#include "nacre/colour/illuminant.h"
 #include "nacre/lut/bake.h"
 #include "nacre/swatch/swatch_gamut.h"
 #include "nacre/swatch/swatch_layout.h"
 #include "nacre/swatch/swatch_sphere.h"
-#include "nacre/colour/illuminant.h"
 
 namespace nacre {
 namespace {

@@ -6,8 +6,8 @@
 #include <cstddef>
 #include <utility>
 
-#include "nacre/pick/lobe/polished_lobe.h"
 #include "nacre/colour/xyz_sums.h"
+#include "nacre/pick/lobe/polished_lobe.h"
 
 namespace nacre {
 namespace {

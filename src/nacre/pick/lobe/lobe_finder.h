@@ -3,15 +3,15 @@
 #include <glm/mat3x3.hpp>
 #include <optional>
 
+#include "nacre/base/least_squares.h"
 #include "nacre/colour/colour_types.h"
 #include "nacre/colour/difference.h"
-#include "nacre/pick/lobe/lobe_colours.h"
 #include "nacre/colour/lobe_moments.h"
+#include "nacre/colour/tristimulus.h"
+#include "nacre/pick/lobe/lobe_colours.h"
 #include "nacre/pick/lobe/lobe_roots.h"
 #include "nacre/pick/lobe/nearest_lobe.h"
 #include "nacre/pick/lobe/nearest_lobe_grid.h"
-#include "nacre/colour/tristimulus.h"
-#include "nacre/base/least_squares.h"
 
 namespace nacre {
 

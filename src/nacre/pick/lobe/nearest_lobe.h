@@ -4,11 +4,11 @@
 #include <cstddef>
 #include <vector>
 
+#include "nacre/base/least_squares.h"
 #include "nacre/colour/difference.h"
 #include "nacre/pick/lobe/lobe_colours.h"
 #include "nacre/pick/lobe/many_differences.h"
 #include "nacre/pick/lobe/nearest_downhill.h"
-#include "nacre/base/least_squares.h"
 
 namespace nacre {
 

@@ -6,9 +6,9 @@
 #include <limits>
 #include <numeric>
 
+#include "nacre/colour/rgb_space.h"
 #include "nacre/pick/lobe/many_differences.h"
 #include "nacre/pick/lobe/polished_lobe.h"
-#include "nacre/colour/rgb_space.h"
 
 namespace nacre {
 namespace {

@@ -1,9 +1,9 @@
 #pragma once
 
+#include "nacre/base/least_squares.h"
 #include "nacre/colour/difference.h"
 #include "nacre/pick/lobe/lobe_colours.h"
 #include "nacre/pick/lobe/nearest_downhill.h"
-#include "nacre/base/least_squares.h"
 
 namespace nacre {
 

@@ -12,7 +12,6 @@
 #include <glm/vec3.hpp>
 
 #include "nacre/base/crop_curve.h"
-#include "nacre/scene/readers/mechanism_readers.h"
 #include "nacre/base/names.h"
 #include "nacre/base/text.h"
 #include "nacre/colour/adaptation.h"
@@ -20,6 +19,7 @@
 #include "nacre/colour/illuminant.h"
 #include "nacre/colour/rgb_space.h"
 #include "nacre/colour/tristimulus.h"
+#include "nacre/scene/readers/mechanism_readers.h"
 
 namespace nacre {
 namespace {

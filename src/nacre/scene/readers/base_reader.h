@@ -4,9 +4,9 @@
 #include <optional>
 #include <string>
 
+#include "nacre/optics/base.h"
 #include "nacre/scene/scene_context.h"
 #include "nacre/scene/table.h"
-#include "nacre/optics/base.h"
 
 namespace nacre {
 

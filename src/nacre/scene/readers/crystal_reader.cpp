@@ -1,9 +1,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "nacre/base/text.h"
 #include "nacre/scene/readers/free_reader.h"
 #include "nacre/scene/readers/mechanism_readers.h"
-#include "nacre/base/text.h"
 
 namespace nacre {
 namespace {

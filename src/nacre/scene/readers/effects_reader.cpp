@@ -2,11 +2,11 @@
 #include <cstddef>
 #include <utility>
 
-#include "nacre/scene/readers/base_reader.h"
-#include "nacre/scene/catalogue.h"
-#include "nacre/scene/readers/mechanism_readers.h"
 #include "nacre/base/names.h"
 #include "nacre/base/text.h"
+#include "nacre/scene/catalogue.h"
+#include "nacre/scene/readers/base_reader.h"
+#include "nacre/scene/readers/mechanism_readers.h"
 
 namespace nacre {
 namespace {

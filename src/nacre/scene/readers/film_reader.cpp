@@ -1,6 +1,6 @@
+#include "nacre/base/text.h"
 #include "nacre/scene/readers/free_reader.h"
 #include "nacre/scene/readers/mechanism_readers.h"
-#include "nacre/base/text.h"
 
 namespace nacre {
 namespace {

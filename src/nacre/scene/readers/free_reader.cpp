@@ -1,13 +1,14 @@
 #include "nacre/scene/readers/free_reader.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <utility>
 
-#include "nacre/scene/readers/mechanism_readers.h"
+#include "nacre/base/error.h"
 #include "nacre/base/names.h"
 #include "nacre/base/text.h"
-#include "nacre/base/error.h"
+#include "nacre/scene/readers/mechanism_readers.h"
 
 namespace nacre {
 namespace {

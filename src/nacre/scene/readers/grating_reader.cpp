@@ -2,11 +2,11 @@
 #include <array>
 #include <cstddef>
 
+#include "nacre/base/names.h"
+#include "nacre/base/text.h"
 #include "nacre/scene/catalogue.h"
 #include "nacre/scene/readers/free_reader.h"
 #include "nacre/scene/readers/mechanism_readers.h"
-#include "nacre/base/names.h"
-#include "nacre/base/text.h"
 
 namespace nacre {
 namespace {

@@ -5,8 +5,8 @@
 #include <string>
 #include <string_view>
 
-#include "nacre/scene/table.h"
 #include "nacre/optics/refractive_index.h"
+#include "nacre/scene/table.h"
 
 namespace nacre {
 

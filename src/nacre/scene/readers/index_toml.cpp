@@ -1,5 +1,5 @@
-#include "nacre/scene/readers/index_reader.h"
 #include "nacre/base/text.h"
+#include "nacre/scene/readers/index_reader.h"
 
 namespace nacre {
 namespace {

@@ -3,8 +3,8 @@
 #include <cstddef>
 #include <functional>
 
-#include "nacre/scene/readers/mechanism_readers.h"
 #include "nacre/base/text.h"
+#include "nacre/scene/readers/mechanism_readers.h"
 
 namespace nacre {
 namespace {

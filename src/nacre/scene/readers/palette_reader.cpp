@@ -5,8 +5,8 @@
 #include <utility>
 #include <vector>
 
-#include "nacre/scene/readers/mechanism_readers.h"
 #include "nacre/base/text.h"
+#include "nacre/scene/readers/mechanism_readers.h"
 
 namespace nacre {
 namespace {

@@ -4,12 +4,12 @@
 #include <numbers>
 #include <optional>
 
-#include "nacre/scene/readers/base_reader.h"
-#include "nacre/scene/catalogue.h"
-#include "nacre/scene/readers/mechanism_readers.h"
 #include "nacre/base/names.h"
 #include "nacre/base/text.h"
 #include "nacre/colour/cie_tables.h"
+#include "nacre/scene/catalogue.h"
+#include "nacre/scene/readers/base_reader.h"
+#include "nacre/scene/readers/mechanism_readers.h"
 
 namespace nacre {
 namespace {

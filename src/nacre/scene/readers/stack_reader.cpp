@@ -3,10 +3,10 @@
 #include <cstddef>
 #include <functional>
 
-#include "nacre/scene/readers/free_reader.h"
-#include "nacre/scene/readers/mechanism_readers.h"
 #include "nacre/base/names.h"
 #include "nacre/base/text.h"
+#include "nacre/scene/readers/free_reader.h"
+#include "nacre/scene/readers/mechanism_readers.h"
 
 namespace nacre {
 namespace {

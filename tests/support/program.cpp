@@ -9,6 +9,7 @@
 #include <fstream>
 #include <sstream>
 #include <stdexcept>
+#include <utility>
 
 namespace nacre::test {
 
@@ -45,12 +46,12 @@ std::vector<std::string> TemporaryFolder::names() const {
     return names;
 }
 
-ProgramResult run_nacre(const std::vector<std::string>& arguments, const ProgramOptions& options) {
+namespace {
+
+ProgramResult run(std::vector<std::string> words, const ProgramOptions& options) {
     const TemporaryFolder capture;
     const auto out_path = options.out_file.empty() ? capture.path() / "out" : options.out_file;
     const auto err_path = capture.path() / "err";
-    std::vector<std::string> words{NACRE_PROGRAM};
-    words.insert(words.end(), arguments.begin(), arguments.end());
     std::vector<char*> argv;
     for (std::string& word : words) argv.push_back(word.data());
     argv.push_back(nullptr);
@@ -75,6 +76,21 @@ ProgramResult run_nacre(const std::vector<std::string>& arguments, const Program
     if (options.out_file.empty()) result.out = file_bytes(out_path);
     result.err = file_bytes(err_path);
     return result;
+}
+
+}  // namespace
+
+ProgramResult run_nacre(const std::vector<std::string>& arguments, const ProgramOptions& options) {
+    std::vector<std::string> words{NACRE_PROGRAM};
+    words.insert(words.end(), arguments.begin(), arguments.end());
+    return run(std::move(words), options);
+}
+
+ProgramResult run_shell(const std::string& command, ProgramOptions options) {
+    const char* path = std::getenv("PATH");
+    const std::string folder = std::filesystem::path(NACRE_PROGRAM).parent_path().string();
+    options.environment.emplace_back("PATH", folder + ":" + (path == nullptr ? "/usr/bin:/bin" : path));
+    return run({"/bin/sh", "-c", command}, options);
 }
 
 }  // namespace nacre::test

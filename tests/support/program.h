@@ -24,6 +24,9 @@ struct ProgramOptions {
 /// Runs the program that this build made.
 ProgramResult run_nacre(const std::vector<std::string>& arguments, const ProgramOptions& options = {});
 
+/// Runs a line of the shell, in which `nacre` is the program that this build made.
+ProgramResult run_shell(const std::string& command, ProgramOptions options = {});
+
 /// A folder of a test's own, removed with all it holds.
 class TemporaryFolder {
 public:

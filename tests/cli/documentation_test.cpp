@@ -1,0 +1,146 @@
+// The pages of the documentation, held to the program.
+//
+// In a Markdown page a block ```console shows a session: a line that begins with "$ " is a command, and the lines below
+// it are what it prints to standard output. Warnings and progress go to standard error and are not shown. All commands
+// of a page run in one folder, in their order, in which configs/ and luts/ are those of the repository; each must exit
+// with 0. What depends on the machine is not compared: see shows_the_same(). A block ```toml that defines a material is
+// a scene that nacre can plan.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <ostream>
+#include <string>
+#include <vector>
+
+#include "support/markdown.h"
+#include "support/program.h"
+
+namespace nacre::test {
+
+void PrintTo(const MarkdownPage& page, std::ostream* out);  // gtest calls it
+void PrintTo(const MarkdownPage& page, std::ostream* out) {
+    *out << page.path.string();
+}
+
+namespace {
+
+using Lines = std::vector<std::string>;
+
+const std::filesystem::path root = NACRE_SOURCE_DIR;
+
+std::vector<MarkdownPage> all_pages() {
+    std::vector<MarkdownPage> pages{read_markdown(root / "README.md"), read_markdown(root / "CHANGELOG.md")};
+    for (const char* folder : {"configs", "luts", "src", "tests"}) {
+        for (const auto& entry : std::filesystem::recursive_directory_iterator(root / folder)) {
+            if (entry.path().extension() == ".md") pages.push_back(read_markdown(entry.path()));
+        }
+    }
+    std::sort(pages.begin(), pages.end(), [](const auto& a, const auto& b) { return a.path < b.path; });
+    return pages;
+}
+
+std::string place(const MarkdownPage& page, int line) {
+    return std::filesystem::relative(page.path, root).string() + ":" + std::to_string(line);
+}
+
+std::string joined(const Lines& lines) {
+    std::string text;
+    for (const std::string& line : lines) text += line + "\n";
+    return text;
+}
+
+// ---- What counts as the same output
+
+TEST(ShownOutput, IsNotTheSameWithAnotherNumber) {
+    EXPECT_TRUE(shows_the_same({"a.exr  512 x 1 half  dE00 0.069"}, {"a.exr  512 x 1 half  dE00 0.069"}));
+    EXPECT_FALSE(shows_the_same({"a.exr  512 x 1 half  dE00 0.069"}, {"a.exr  512 x 1 half  dE00 0.068"}));
+    EXPECT_FALSE(shows_the_same({"25 % of texels"}, {"26 % of texels"}));
+}
+
+TEST(ShownOutput, MayDifferInTimesAndSharesOfTime) {
+    EXPECT_TRUE(shows_the_same({"morpho  465 us"}, {"morpho  1.4 ms"}));
+    EXPECT_TRUE(shows_the_same({"tilt  simulated   4 %  asked for"}, {"tilt  simulated  17 %  asked for"}));
+    EXPECT_FALSE(shows_the_same({"morpho  465 us"}, {"morpho  465 nm"}));
+}
+
+TEST(ShownOutput, MayLeaveOutLinesAtThreeDots) {
+    EXPECT_TRUE(shows_the_same({"a", "...", "d"}, {"a", "b", "c", "d"}));
+    EXPECT_TRUE(shows_the_same({"a", "..."}, {"a"}));
+    EXPECT_FALSE(shows_the_same({"a", "...", "d"}, {"a", "b", "c"}));
+    EXPECT_FALSE(shows_the_same({"a"}, {"a", "b"}));
+}
+
+// ---- Every page
+
+class Documentation : public testing::TestWithParam<MarkdownPage> {};
+
+TEST_P(Documentation, ShowsWhatItsCommandsPrint) {
+    const TemporaryFolder folder;
+    std::filesystem::create_directory_symlink(root / "configs", folder.path() / "configs");
+    std::filesystem::create_directory_symlink(root / "luts", folder.path() / "luts");
+    for (const FencedBlock& block : GetParam().blocks) {
+        if (block.language != "console") continue;
+        for (const ShownCommand& shown : commands_of(block)) {
+            SCOPED_TRACE(place(GetParam(), shown.line) + ": " + shown.command);
+            const ProgramResult result = run_shell(shown.command, {folder.path(), {}, {}, {}});
+            EXPECT_EQ(result.exit_code, 0) << result.err;
+            EXPECT_TRUE(shows_the_same(shown.output, lines_of(result.out)))
+                << "the page shows:\n"
+                << joined(shown.output) << "the program prints:\n"
+                << result.out;
+        }
+    }
+}
+
+TEST_P(Documentation, ShowsScenesThatCanBePlanned) {
+    const TemporaryFolder folder;
+    std::filesystem::copy(root / "configs/scenes/gold_beetle.csv", folder.path() / "gold_beetle.csv");
+    for (const FencedBlock& block : GetParam().blocks) {
+        const std::string text = joined(block.lines);
+        if (block.language != "toml" || text.find("[material.") == std::string::npos) continue;
+        SCOPED_TRACE(place(GetParam(), block.line));
+        const ProgramResult result = run_nacre({"plan", folder.file("scene.toml", text)});
+        EXPECT_EQ(result.exit_code, 0) << result.err;
+    }
+}
+
+TEST_P(Documentation, HasLinksThatLeadSomewhere) {
+    for (const Link& link : GetParam().links) {
+        if (link.target.find("://") != std::string::npos) continue;
+        SCOPED_TRACE(place(GetParam(), link.line) + ": " + link.target);
+        const std::size_t hash = link.target.find('#');
+        const std::string file = link.target.substr(0, hash);
+        const std::filesystem::path path = file.empty() ? GetParam().path : GetParam().path.parent_path() / file;
+        EXPECT_TRUE(std::filesystem::exists(path));
+        if (hash == std::string::npos) continue;
+        EXPECT_TRUE(read_markdown(path).anchors.contains(link.target.substr(hash + 1)));
+    }
+}
+
+std::string name_of_page(const testing::TestParamInfo<MarkdownPage>& info) {
+    std::string name = std::filesystem::relative(info.param.path, root).replace_extension().string();
+    std::replace_if(
+        name.begin(), name.end(), [](char c) { return c == '/' || c == '.' || c == '-'; }, '_');
+    return name;
+}
+
+INSTANTIATE_TEST_SUITE_P(Page, Documentation, testing::ValuesIn(all_pages()), name_of_page);
+
+// ---- The first page
+
+TEST(Readme, IsOnePage) {
+    EXPECT_LE(read_markdown(root / "README.md").lines.size(), 150U);
+}
+
+TEST(Readme, ShowsASessionFromAPickToATexture) {
+    std::string commands;
+    for (const FencedBlock& block : read_markdown(root / "README.md").blocks) {
+        for (const ShownCommand& shown : commands_of(block)) commands += shown.command + "\n";
+    }
+    for (const char* command : {"nacre pick ", "nacre swatch ", "nacre bake "})
+        EXPECT_NE(commands.find(command), std::string::npos) << command;
+}
+
+}  // namespace
+}  // namespace nacre::test

@@ -247,7 +247,7 @@ TEST(LobeFinder, IsNotLedAstray) {
     }
 }
 
-// README says so.
+// configs/picking.md says so.
 TEST(LobeFinder, HasTwoFifthsOfSrgb) {
     Random random;
     int exact = 0;

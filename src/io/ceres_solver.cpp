@@ -12,6 +12,7 @@ namespace {
 class Differences {
 public:
     using Scalar = double;
+    // NOLINTBEGIN(readability-identifier-naming): Ceres asks for these names.
     enum { NUM_RESIDUALS = Eigen::Dynamic, NUM_PARAMETERS = Eigen::Dynamic };
 
     explicit Differences(const LeastSquares& problem)
@@ -21,6 +22,7 @@ public:
 
     int NumResiduals() const { return problem_.residuals; }
     int NumParameters() const { return problem_.parameters; }
+    // NOLINTEND(readability-identifier-naming)
 
     // The Jacobian's columns are parameters.
     bool operator()(const double* parameters, double* residuals, double* jacobian) const {

@@ -1,6 +1,5 @@
 # cmake -DROOT=<repository> -P layering_test.cmake: fails, naming every culprit, when
-#   - a file includes from a layer above its own (cli -> io -> nacre/accuracy, nacre/fit -> nacre/bake -> nacre/optics,
-#     nacre/colour -> nacre),
+#   - a file includes from a floor above its own, or from another room of its own floor (see `floors`),
 #   - the core includes a third-party header other than GLM's and Highway's, or a standard one that reaches out of the
 #     program (files, streams, threads, clocks, environment, global state),
 #   - a library is used outside the folder that owns it,
@@ -12,16 +11,30 @@ set(root_entries
     .ci .clang-format .clang-tidy .git .github .gitignore CHANGELOG.md CMakeLists.txt CMakePresets.json LICENSE README.md
     build configs luts out run src tests)
 
-# Folder of a file -> folders whose headers it may include. The longest folder that fits a file or a header is its layer.
-set(layers nacre nacre/optics nacre/colour nacre/bake nacre/accuracy nacre/fit io cli)
-set(may_use_nacre nacre)
-set(may_use_nacre/optics ${may_use_nacre} nacre/optics)
-set(may_use_nacre/colour ${may_use_nacre} nacre/colour)
-set(may_use_nacre/bake ${may_use_nacre} nacre/optics nacre/colour nacre/bake)
-set(may_use_nacre/accuracy ${may_use_nacre/bake} nacre/accuracy)
-set(may_use_nacre/fit ${may_use_nacre/bake} nacre/fit)
-set(may_use_io ${may_use_nacre/accuracy} nacre/fit io)
-set(may_use_cli ${may_use_io} cli)
+# The rooms by floors, the lowest first. A file may include from its own room and from the floors below; rooms of one
+# floor do not know each other. A room is a folder with all that lies in it: the longest that fits a path.
+set(floors
+    "nacre/base"
+    "nacre/colour nacre/optics"
+    "nacre/material"
+    "nacre/shade"
+    "nacre/pick nacre/lut"
+    "nacre/accuracy nacre/scene nacre/export nacre/conformance"
+    "nacre/swatch nacre/cost"
+    "nacre/paper io"
+    "pipeline"
+    "cli web")
+
+set(layers "")
+set(below "")
+foreach(floor IN LISTS floors)
+    string(REPLACE " " ";" rooms "${floor}")
+    foreach(room IN LISTS rooms)
+        set(may_use_${room} ${below} ${room})
+    endforeach()
+    list(APPEND layers ${rooms})
+    list(APPEND below ${rooms})
+endforeach()
 
 # The C and C++ headers that a pure, serial library has no business with. (<cstdlib> is getenv() and exit();
 # std::abs is in <cmath> too.)
@@ -31,7 +44,7 @@ set(core_refuses
 
 # Third-party headers by the pattern of their names, and who may include them.
 set(libraries
-    "^glm/=nacre,io,cli"
+    "^glm/=nacre,io,pipeline,cli"
     "^hwy/=nacre"
     "^toml\\+\\+/=io"
     "^yaml-cpp/=io"
@@ -42,7 +55,7 @@ set(libraries
     "^ceres/=io"
     "^Eigen/=io"
     "^xxhash\\.h=io"
-    "^nlohmann/=io,cli"
+    "^nlohmann/=pipeline,cli"
     "^CLI/=cli"
     "^tbb/=cli"
     "^oneapi/=cli")
@@ -88,7 +101,7 @@ foreach(file IN LISTS files)
             layer_of("${header}" target)
             if(target STREQUAL "")
                 if(NOT header IN_LIST generated_headers OR top STREQUAL "nacre")
-                    list(APPEND complaints "src/${file}: \"${header}\" does not begin with nacre/, io/ or cli/")
+                    list(APPEND complaints "src/${file}: \"${header}\" does not begin with nacre/, io/, pipeline/ or cli/")
                 endif()
             elseif(NOT target IN_LIST may_use_${layer})
                 list(APPEND complaints "src/${file}: ${layer} may not include from ${target}: \"${header}\"")

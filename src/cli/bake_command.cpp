@@ -13,6 +13,8 @@
 #include "io/image/font.h"
 #include "nacre/base/error.h"
 #include "nacre/base/names.h"
+#include "nacre/lut/job.h"
+#include "nacre/lut/planned_lut.h"
 #include "nacre/scene/output_names.h"
 
 namespace nacre {

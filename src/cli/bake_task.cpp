@@ -7,9 +7,14 @@
 #include "cli/stop_signal.h"
 #include "cli/swatch_file.h"
 #include "cli/thread_clock.h"
+#include "nacre/accuracy/choose_sampling.h"
 #include "nacre/base/error.h"
 #include "nacre/base/text.h"
+#include "nacre/lut/formats.h"
+#include "nacre/lut/job.h"
+#include "nacre/lut/planned_lut.h"
 #include "nacre/scene/output_names.h"
+#include "nacre/scene/planned_swatch.h"
 
 namespace nacre {
 namespace {
@@ -88,7 +93,7 @@ BakeOutcome bake_one_lut(const BakeTask& task, const BakeTarget& target) {
     const LoadedScene& scene = *task.scene;
     const SettledLut& settled = task.settled->lut;
     const double begin = thread_seconds();
-    const BakedLut baked = bake_lut(settled, scene.plan.colour, scene.source, scene.transform, throw_if_stopped);
+    const BakedLut baked = bake_lut(settled, scene.plan, scene.source, scene.transform, throw_if_stopped);
     const std::string manifest = manifest_json(settled, baked);
     const std::string exr =
         writes(settled.lut, LutOutput::exr) ? encode_lut(baked.image, settled.lut.format, baked.header) : std::string();

@@ -8,6 +8,8 @@
 #include "cli/loaded_scene.h"
 #include "cli/settled_luts.h"
 #include "io/disk/output_folder.h"
+#include "nacre/lut/planned_lut.h"
+#include "nacre/scene/planned_swatch.h"
 
 namespace nacre {
 

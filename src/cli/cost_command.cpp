@@ -11,6 +11,7 @@
 #include "nacre/base/error.h"
 #include "nacre/base/names.h"
 #include "nacre/base/text.h"
+#include "nacre/lut/planned_lut.h"
 
 namespace nacre {
 namespace {

@@ -9,6 +9,7 @@
 #include "cli/text_table.h"
 #include "io/image/gnuplot.h"
 #include "nacre/base/text.h"
+#include "nacre/lut/job.h"
 
 namespace nacre {
 

@@ -9,6 +9,7 @@
 #include "cli/stop_signal.h"
 #include "cli/text_table.h"
 #include "cli/thread_clock.h"
+#include "nacre/accuracy/choose_sampling.h"
 #include "nacre/base/names.h"
 #include "nacre/cost/effect_cost.h"
 #include "nacre/lut/bake.h"

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "nacre/accuracy/choose_sampling.h"
 #include "nacre/accuracy/settle.h"
 
 namespace nacre {

@@ -6,7 +6,11 @@
 #include "io/scene/scene_file.h"
 #include "nacre/base/error.h"
 #include "nacre/base/names.h"
+#include "nacre/lut/colour_settings.h"
+#include "nacre/lut/formats.h"
+#include "nacre/lut/planned_lut.h"
 #include "nacre/scene/output_names.h"
+#include "nacre/scene/planned_swatch.h"
 #include "pipeline/picked_colours.h"
 
 namespace nacre {

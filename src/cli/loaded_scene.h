@@ -6,6 +6,7 @@
 
 #include "cli/console.h"
 #include "io/ocio/colour_config.h"
+#include "nacre/lut/colour_settings.h"
 #include "nacre/scene/plan.h"
 #include "pipeline/baked_lut.h"
 

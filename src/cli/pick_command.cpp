@@ -23,6 +23,7 @@
 #include "nacre/material/mechanism.h"
 #include "nacre/pick/fit_palette.h"
 #include "nacre/pick/missed_picks.h"
+#include "nacre/scene/readers/mechanism_reader.h"
 #include "nacre/shade/band.h"
 #include "pipeline/baked_lut.h"
 #include "pipeline/picked_colours.h"
@@ -165,7 +166,7 @@ nlohmann::ordered_json angles_json(const std::vector<AngleFit>& angles) {
 }
 
 // A band near the measured peak, if the mechanism has one there.
-std::vector<AngleFit> compared(const MeasuredSpectra& spectra, const Material& material) {
+std::vector<AngleFit> compared(const MeasuredSpectra& spectra, const SceneMaterial& material) {
     std::vector<AngleFit> angles;
     for (const PickedColour& one : material.picked) {
         const auto found = std::find(spectra.angle_deg.begin(), spectra.angle_deg.end(), one.angle_deg);

@@ -12,8 +12,13 @@
 #include "nacre/base/error.h"
 #include "nacre/base/names.h"
 #include "nacre/base/text.h"
+#include "nacre/lut/formats.h"
+#include "nacre/lut/job.h"
+#include "nacre/lut/planned_lut.h"
 #include "nacre/scene/catalogue.h"
 #include "nacre/scene/output_names.h"
+#include "nacre/scene/planned_swatch.h"
+#include "nacre/shade/integral.h"
 
 namespace nacre {
 namespace {
@@ -82,7 +87,7 @@ nlohmann::ordered_json axis_json(const Axis& axis) {
 }
 
 // The fitted shape of a palette, and what the paper's straight lines would make of each pick.
-nlohmann::ordered_json shape_json(const Material& material) {
+nlohmann::ordered_json shape_json(const SceneMaterial& material) {
     nlohmann::ordered_json json{{"shape", material.shape_fit->shape}};
     const auto& picks = std::get<Palette>(material.mechanism).picks;
     for (std::size_t i = 0; i < picks.size(); ++i) {
@@ -117,11 +122,14 @@ nlohmann::ordered_json task_json(const SettledTask& task, double seconds) {
     if (effects.has(Effect::base) && !job.without.has(Effect::base) && is_layered(job.material.mechanism))
         json["base_directions"] = job.sampling.hemisphere;
     if (job.sampling.sizes > 1) json["radii"] = job.sampling.sizes;
-    for (const PickedColour& picked : job.material.picked) json["picked"].push_back(picked_json(picked));
+    const SceneMaterial* material = find_material(task.scene->plan, job.material.name);
+    if (material != nullptr) {
+        for (const PickedColour& picked : material->picked) json["picked"].push_back(picked_json(picked));
+    }
     for (const MaterialSearch& search : task.scene->plan.searches) {
         if (search.material == job.material.name && !search.search.free.empty()) json["found"] = found_json(search);
     }
-    if (job.material.shape_fit) json["shape_fit"] = shape_json(job.material);
+    if (material != nullptr && material->shape_fit) json["shape_fit"] = shape_json(*material);
     json["max_de00"] = nullptr;
     if (lut.wish.has_bound) json["max_de00"] = lut.wish.max_de00;
     json["predicted"] = nullptr;
@@ -141,7 +149,7 @@ nlohmann::ordered_json task_json(const SettledTask& task, double seconds) {
 
 // What picked colours became.
 void note_picked(const LoadedScene& scene, Console& console) {
-    for (const Material& material : scene.plan.materials) {
+    for (const SceneMaterial& material : scene.plan.materials) {
         for (const PickedColour& picked : material.picked) {
             std::string band;
             if (picked.lobe) {
@@ -162,7 +170,7 @@ void note_picked(const LoadedScene& scene, Console& console) {
 
 // What the picks say about the shape that the scene left open.
 void note_shapes(const LoadedScene& scene, Console& console) {
-    for (const Material& material : scene.plan.materials) {
+    for (const SceneMaterial& material : scene.plan.materials) {
         if (!material.shape_fit) continue;
         const auto& picks = std::get<Palette>(material.mechanism).picks;
         std::string misses;
@@ -177,7 +185,7 @@ void note_shapes(const LoadedScene& scene, Console& console) {
 
 // What a scene's picks ask for that no surface can do.
 void note_clamps(const LoadedScene& scene, Console& console) {
-    for (const Material& material : scene.plan.materials) {
+    for (const SceneMaterial& material : scene.plan.materials) {
         const auto* palette = std::get_if<Palette>(&material.mechanism);
         if (palette == nullptr) continue;
         const ClampBounds bounds = palette_clamp_bounds(*palette);
@@ -193,7 +201,7 @@ void note_clamps(const LoadedScene& scene, Console& console) {
 
 // What measurements do not say, and how it is filled in.
 void note_edges(const LoadedScene& scene, Console& console) {
-    for (const Material& material : scene.plan.materials) {
+    for (const SceneMaterial& material : scene.plan.materials) {
         const auto* spectra = std::get_if<MeasuredSpectra>(&material.mechanism);
         if (spectra == nullptr) continue;
         const auto range = [](double first, double last) { return number_text(first) + " to " + number_text(last); };

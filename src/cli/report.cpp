@@ -6,6 +6,9 @@
 #include <nlohmann/json.hpp>
 
 #include "nacre/base/text.h"
+#include "nacre/lut/formats.h"
+#include "nacre/lut/job.h"
+#include "nacre/lut/planned_lut.h"
 #include "nacre/scene/catalogue.h"
 
 namespace nacre {

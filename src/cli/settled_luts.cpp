@@ -10,6 +10,7 @@
 #include "cli/thread_clock.h"
 #include "nacre/base/error.h"
 #include "nacre/base/text.h"
+#include "nacre/lut/planned_lut.h"
 
 namespace nacre {
 

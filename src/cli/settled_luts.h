@@ -8,6 +8,7 @@
 #include "cli/console.h"
 #include "cli/loaded_scene.h"
 #include "nacre/accuracy/settle.h"
+#include "nacre/lut/planned_lut.h"
 
 namespace nacre {
 

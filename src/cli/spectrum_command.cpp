@@ -8,10 +8,12 @@
 #include "cli/stop_signal.h"
 #include "io/scene/curve_csv.h"
 #include "io/scene/scene_file.h"
+#include "nacre/accuracy/exact_colour.h"
 #include "nacre/base/error.h"
 #include "nacre/base/names.h"
 #include "nacre/base/text.h"
 #include "nacre/lut/bake.h"
+#include "nacre/shade/spectra.h"
 #include "pipeline/picked_colours.h"
 
 namespace nacre {

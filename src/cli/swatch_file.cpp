@@ -3,6 +3,7 @@
 #include <string_view>
 
 #include "io/image/swatch_png.h"
+#include "nacre/scene/planned_swatch.h"
 #include "nacre/swatch/swatch.h"
 
 namespace nacre {

@@ -5,6 +5,7 @@
 
 #include "io/ocio/colour_transform.h"
 #include "nacre/scene/plan.h"
+#include "nacre/scene/planned_swatch.h"
 
 namespace nacre {
 

@@ -9,10 +9,16 @@
 #include <nlohmann/json.hpp>
 
 #include "io/disk/hash.h"
+#include "nacre/accuracy/choose_sampling.h"
 #include "nacre/base/error.h"
 #include "nacre/base/text.h"
 #include "nacre/colour/rgb_space.h"
 #include "nacre/lut/bake.h"
+#include "nacre/lut/colour_settings.h"
+#include "nacre/lut/formats.h"
+#include "nacre/lut/job.h"
+#include "nacre/lut/planned_lut.h"
+#include "nacre/scene/readers/axis_reader.h"
 #include "nacre_version.h"
 
 namespace nacre {
@@ -97,7 +103,7 @@ LutHeader make_header(const SettledLut& settled, const ColourSettings& colour, c
     add("adapt", std::string(name_of(adaptation_words, light.adaptation)));
     add("rangeNm", std::to_string(light.first_nm) + " " + std::to_string(light.last_nm));
     add("integration", integration_text(job));
-    if (!job.material.picked.empty()) add("picked", picked_text(job.material.picked));
+    if (!baked.picked.empty()) add("picked", picked_text(baked.picked));
     if (!settled.effects.empty()) add("effects", effects_text(settled.effects));
     add("accuracyAsked", lut.wish.has_bound ? number_text(lut.wish.max_de00) : "none");
     add("accuracyReached", baked.reached ? number_text(*baked.reached) : "unknown");
@@ -152,29 +158,30 @@ Encoding lut_encoding(const ColourTransform& transform, Gamut gamut) {
     return encoding;
 }
 
-BakedLut bake_lut(const SettledLut& settled, const ColourSettings& colour, const ColourSource& source,
+BakedLut bake_lut(const SettledLut& settled, const Plan& plan, const ColourSource& source,
                   const ColourTransform& transform, const AfterRow& after_row) {
     const PlannedLut& lut = settled.lut;
     BakedLut baked;
     const Image<Xyz> xyz = bake(lut.job, after_row, &baked.work);
     baked.image = transform.apply(xyz);
     baked.gamut = gamut_report(baked.image);
-    gamut_rule(transform, colour.gamut).apply(baked.image, xyz);
+    gamut_rule(transform, plan.colour.gamut).apply(baked.image, xyz);
     check_storable(baked.image, lut.format);
     for (Rgb& texel : baked.image) {
         for (double Rgb::*component : {&Rgb::r, &Rgb::g, &Rgb::b})
             texel.*component = stored_value(texel.*component, lut.format);
     }
     baked.left = gamut_report(baked.image);
-    const Encoding encoding = lut_encoding(transform, colour.gamut);
+    const Encoding encoding = lut_encoding(transform, plan.colour.gamut);
     if (encoding.to_xyz) {
         const Measured measured = measure(lut.job, baked.image, encoding, settled.worst);
         baked.reached = rounded_up(measured.reached + settled.predicted.spread);
         baked.work += measured.work;
     }
+    if (const SceneMaterial* material = find_material(plan, lut.job.material.name)) baked.picked = material->picked;
     if (const auto* palette = std::get_if<Palette>(&lut.job.material.mechanism))
         baked.clamped = palette_clamp_bounds(*palette);
-    baked.header = make_header(settled, colour, source, transform, baked);
+    baked.header = make_header(settled, plan.colour, source, transform, baked);
     return baked;
 }
 
@@ -254,7 +261,7 @@ std::string manifest_json(const SettledLut& settled, const BakedLut& baked) {
         if (!choice.is_simulated && !choice.is_given) effect["share"] = choice.share;
         json["effects"].push_back(std::move(effect));
     }
-    for (const PickedColour& picked : job.material.picked) json["picked"].push_back(picked_json(picked));
+    for (const PickedColour& picked : baked.picked) json["picked"].push_back(picked_json(picked));
     if (baked.clamped.below_deg) json["clamped_below_deg"] = rounded_angle(*baked.clamped.below_deg);
     if (baked.clamped.above_deg) json["clamped_above_deg"] = rounded_angle(*baked.clamped.above_deg);
     json["scene"] = header.value("scene");

@@ -10,6 +10,7 @@
 #include "nacre/accuracy/measure.h"
 #include "nacre/accuracy/settle.h"
 #include "nacre/lut/bake.h"
+#include "nacre/lut/colour_settings.h"
 #include "nacre/lut/gamut.h"
 #include "nacre/scene/plan.h"
 
@@ -27,6 +28,7 @@ struct BakedLut {
     Work work;            ///< baking and measuring; settling not counted
     GamutReport gamut;    ///< before [colour] gamut was applied
     GamutReport left;     ///< after it, of the numbers as stored
+    std::vector<PickedColour> picked;  ///< of the material's picks those that were given as colours
     ClampBounds clamped;  ///< beyond these angles the picks ask for what no surface can do
 };
 
@@ -41,8 +43,9 @@ struct ColourSource {
 Encoding lut_encoding(const ColourTransform& transform, Gamut gamut);
 
 /// XYZ of every texel, through the colour transform and the gamut's rule, measured, with its header.
+/// @param plan  of the scene that the LUT is from: its colour settings, and what picks became
 /// Throws Error if the space or the format cannot hold the colours.
-BakedLut bake_lut(const SettledLut& lut, const ColourSettings& colour, const ColourSource& source,
+BakedLut bake_lut(const SettledLut& lut, const Plan& plan, const ColourSource& source,
                   const ColourTransform& transform, const AfterRow& after_row = {});
 
 /// A pick that was given as a colour, for manifests and --json.

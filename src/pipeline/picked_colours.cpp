@@ -9,6 +9,7 @@
 #include "io/ceres_solver.h"
 #include "io/scene/scene_file.h"
 #include "nacre/base/error.h"
+#include "nacre/lut/colour_settings.h"
 #include "pipeline/mechanism_finder.h"
 
 namespace nacre {

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "io/ocio/colour_config.h"
+#include "nacre/lut/colour_settings.h"
 #include "nacre/scene/plan.h"
 
 namespace nacre {

@@ -9,6 +9,7 @@
 #include "io/scene/shipped_materials.h"
 #include "nacre/base/error.h"
 #include "nacre/base/names.h"
+#include "nacre/lut/planned_lut.h"
 #include "pipeline/baked_lut.h"
 
 namespace nacre {
@@ -99,7 +100,7 @@ Verification verify_lut(const StoredLut& stored, const AfterRow& after_row) {
         const auto transform = ColourTransform::from_ctf(stored.header.value("colourTransform"), plan.colour.space,
                                                          "header", stored.header.interop_id);
         const SettledLut settled = settle(plan.luts.front(), lut_encoding(transform, plan.colour.gamut), after_row);
-        const BakedLut again = bake_lut(settled, plan.colour, {}, transform, after_row);
+        const BakedLut again = bake_lut(settled, plan, {}, transform, after_row);
         compare_headers(stored.header, again.header, result);
         compare_texels(stored, again.image, result);
         const Encoding encoding = lut_encoding(transform, plan.colour.gamut);

@@ -18,6 +18,8 @@
 #include "bench/lut_colours.h"
 #include "nacre/base/gauss_points.h"
 #include "nacre/cost/rivals.h"
+#include "nacre/lut/planned_lut.h"
+#include "nacre/shade/integral.h"
 #include "nacre/shade/layered_colour.h"
 #include "nacre/shade/prepared_colour.h"
 #include "nacre/shade/tilt.h"

@@ -3,7 +3,10 @@
 
 #include "nacre/colour/illuminant.h"
 #include "nacre/lut/bake.h"
+#include "nacre/lut/planned_lut.h"
 #include "nacre/lut/snippet.h"
+#include "nacre/scene/readers/axis_reader.h"
+#include "nacre/shade/integral.h"
 #include "pipeline/baked_lut.h"
 
 namespace nacre {
@@ -73,7 +76,7 @@ void lut_256_to_exr_bytes(benchmark::State& state) {
     const ColourTransform transform = ColourConfig::open({"", "", "bench"}).to_colour_space("lin_rec709", "bench");
     const SettledLut settled = settle_at_256(lut, transform);
     for (auto _ : state) {
-        const BakedLut baked = bake_lut(settled, {}, {"nacre (built in)", ""}, transform);
+        const BakedLut baked = bake_lut(settled, Plan{}, {"nacre (built in)", ""}, transform);
         benchmark::DoNotOptimize(encode_lut(baked.image, lut.format, baked.header));
     }
 }

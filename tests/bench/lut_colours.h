@@ -7,9 +7,11 @@
 #include <memory>
 #include <vector>
 
+#include "nacre/accuracy/choose_sampling.h"
 #include "nacre/colour/colour_distance.h"
 #include "nacre/colour/illuminant.h"
 #include "nacre/lut/bake.h"
+#include "nacre/lut/job.h"
 #include "nacre/lut/sampler.h"
 
 /// What benchmarks of LUTs share.

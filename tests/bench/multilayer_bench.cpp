@@ -16,6 +16,7 @@
 #include "nacre/colour/illuminant.h"
 #include "nacre/cost/rivals.h"
 #include "nacre/lut/bake.h"
+#include "nacre/lut/planned_lut.h"
 #include "nacre/optics/multilayer/multilayer.h"
 #include "nacre/shade/layered_colour.h"
 #include "pipeline/baked_lut.h"

@@ -13,6 +13,7 @@
 
 #include "io/disk/hash.h"
 #include "io/image/lut_file.h"
+#include "nacre/lut/formats.h"
 #include "support/program.h"
 
 namespace nacre::test {

@@ -22,10 +22,13 @@
 #include <utility>
 #include <vector>
 
+#include "nacre/accuracy/choose_sampling.h"
 #include "nacre/accuracy/settle.h"
 #include "nacre/colour/illuminant.h"
 #include "nacre/lut/bake.h"
+#include "nacre/lut/planned_lut.h"
 #include "nacre/material/effects.h"
+#include "nacre/shade/integral.h"
 #include "reference/dense_layers.h"
 #include "reference/dense_model.h"
 #include "reference/effects_model.h"

@@ -12,9 +12,11 @@
 #include "io/scene/scene_file.h"
 #include "io/scene/spectra_csv.h"
 #include "nacre/base/error.h"
+#include "nacre/lut/planned_lut.h"
 #include "nacre/material/mechanism.h"
 #include "nacre/scene/plan.h"
 #include "nacre/scene/readers/base_reader.h"
+#include "nacre/scene/readers/mechanism_reader.h"
 #include "nacre/scene/scene_context.h"
 #include "support/program.h"
 

@@ -6,9 +6,15 @@
 #include <ostream>
 
 #include "io/scene/scene_file.h"
+#include "nacre/accuracy/choose_sampling.h"
 #include "nacre/base/error.h"
 #include "nacre/lut/bake.h"
+#include "nacre/lut/job.h"
+#include "nacre/lut/planned_lut.h"
 #include "nacre/lut/sampler.h"
+#include "nacre/scene/readers/axis_reader.h"
+#include "nacre/scene/readers/mechanism_reader.h"
+#include "nacre/shade/spectra.h"
 #include "support/program.h"
 
 namespace nacre::test {

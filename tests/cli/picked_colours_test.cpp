@@ -14,6 +14,7 @@
 #include "nacre/base/error.h"
 #include "nacre/colour/illuminant.h"
 #include "nacre/colour/light.h"
+#include "nacre/scene/readers/mechanism_reader.h"
 #include "pipeline/picked_colours.h"
 #include "support/program.h"
 

@@ -6,6 +6,7 @@
 #include <numbers>
 #include <sstream>
 
+#include "nacre/accuracy/exact_colour.h"
 #include "nacre/colour/illuminant.h"
 #include "nacre/lut/bake.h"
 #include "support/program.h"

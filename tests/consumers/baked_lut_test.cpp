@@ -10,10 +10,13 @@
 
 #include "consumers/shader_runner.h"
 #include "io/scene/scene_file.h"
+#include "nacre/accuracy/exact_colour.h"
 #include "nacre/accuracy/trial.h"
 #include "nacre/lut/bake.h"
+#include "nacre/lut/planned_lut.h"
 #include "nacre/lut/sampler.h"
 #include "nacre/lut/snippet.h"
+#include "nacre/shade/integral.h"
 #include "pipeline/baked_lut.h"
 #include "support/program.h"
 
@@ -38,7 +41,7 @@ Baked bake_and_read(const std::string& scene) {
     const PlannedLut& lut = settled.lut;
     const test::TemporaryFolder folder;
     const std::string file =
-        folder.file("lut.exr", encode_lut(bake_lut(settled, plan.colour, {}, transform).image, lut.format, {}));
+        folder.file("lut.exr", encode_lut(bake_lut(settled, plan, {}, transform).image, lut.format, {}));
     return {lut, read_lut(file).image, transform};
 }
 

@@ -10,10 +10,14 @@
 #include <utility>
 #include <vector>
 
+#include "nacre/accuracy/exact_colour.h"
 #include "nacre/colour/difference.h"
 #include "nacre/colour/illuminant.h"
 #include "nacre/lut/bake.h"
 #include "nacre/lut/fetch.h"
+#include "nacre/lut/formats.h"
+#include "nacre/lut/planned_lut.h"
+#include "nacre/shade/integral.h"
 #include "support/test_encoding.h"
 
 namespace nacre {

@@ -8,6 +8,7 @@
 #include "nacre/colour/adaptation.h"
 #include "nacre/colour/rgb_space.h"
 #include "nacre/lut/encoding.h"
+#include "nacre/lut/formats.h"
 
 namespace nacre::test {
 

@@ -9,6 +9,7 @@
 #include "io/image/swatch_png.h"
 #include "io/ocio/colour_config.h"
 #include "nacre/base/names.h"
+#include "nacre/scene/planned_swatch.h"
 #include "nacre/swatch/swatch.h"
 
 namespace nacre {

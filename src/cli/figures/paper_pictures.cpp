@@ -7,6 +7,7 @@
 
 #include "cli/figures/stack_pictures.h"
 #include "nacre/base/text.h"
+#include "nacre/scene/planned_swatch.h"
 #include "nacre/swatch/swatch.h"
 #include "nacre/swatch/swatch_gamut.h"
 

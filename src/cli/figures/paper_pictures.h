@@ -8,6 +8,7 @@
 #include "io/ocio/colour_transform.h"
 #include "nacre/paper/paper_figures.h"
 #include "nacre/scene/plan.h"
+#include "nacre/scene/planned_swatch.h"
 
 namespace nacre {
 

@@ -13,6 +13,7 @@
 
 #include "nacre/base/error.h"
 #include "nacre/base/text.h"
+#include "nacre/lut/formats.h"
 #include "nacre/scene/plan.h"
 
 namespace nacre {

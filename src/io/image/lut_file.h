@@ -8,6 +8,7 @@
 
 #include "nacre/base/image.h"
 #include "nacre/colour/colour_types.h"
+#include "nacre/lut/formats.h"
 #include "nacre/scene/catalogue.h"
 
 namespace nacre {

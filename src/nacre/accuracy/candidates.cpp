@@ -1,5 +1,8 @@
 #include "nacre/accuracy/candidates.h"
 
+#include "nacre/lut/formats.h"
+#include "nacre/lut/planned_lut.h"
+
 #include <algorithm>
 #include <optional>
 

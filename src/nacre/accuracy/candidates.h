@@ -3,7 +3,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "nacre/scene/plan.h"
+#include "nacre/lut/formats.h"
+#include "nacre/lut/planned_lut.h"
 
 namespace nacre {
 

@@ -1,3 +1,5 @@
+#include "nacre/accuracy/choose_sampling.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -7,11 +9,11 @@
 #include "nacre/accuracy/thick_layers.h"
 #include "nacre/colour/colour_distance.h"
 #include "nacre/colour/difference.h"
+#include "nacre/lut/job.h"
 #include "nacre/lut/sampler.h"
-#include "nacre/scene/plan.h"
 #include "nacre/shade/bends.h"
+#include "nacre/shade/integral.h"
 #include "nacre/shade/layered_colour.h"
-#include "nacre/shade/spectral_sampling.h"
 
 namespace nacre {
 namespace {
@@ -546,6 +548,10 @@ ChosenSampling choose_sampling(const Job& job, const SamplingTolerance& toleranc
         return nothing;
     }
     return Chooser(job, tolerance, wish, after_step).choose();
+}
+
+SpectralSampling default_sampling(const Job& job) {
+    return choose_sampling(job, {}).sampling;
 }
 
 }  // namespace nacre

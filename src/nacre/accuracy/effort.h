@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-#include "nacre/scene/plan.h"
+#include "nacre/lut/planned_lut.h"
 #include "nacre/shade/work.h"
 
 namespace nacre {

@@ -7,7 +7,9 @@
 
 #include "nacre/accuracy/reference.h"
 #include "nacre/accuracy/trial.h"
+#include "nacre/lut/job.h"
 #include "nacre/lut/sampler.h"
+#include "nacre/shade/integral.h"
 #include "nacre/shade/layered_colour.h"
 
 namespace nacre {

@@ -5,7 +5,7 @@
 
 #include "nacre/lut/encoding.h"
 #include "nacre/lut/fetch.h"
-#include "nacre/scene/plan.h"
+#include "nacre/lut/planned_lut.h"
 #include "nacre/shade/work.h"
 
 namespace nacre {

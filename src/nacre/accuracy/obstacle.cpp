@@ -3,6 +3,9 @@
 #include <algorithm>
 
 #include "nacre/base/text.h"
+#include "nacre/lut/formats.h"
+#include "nacre/lut/job.h"
+#include "nacre/lut/planned_lut.h"
 
 namespace nacre {
 namespace {

@@ -8,6 +8,7 @@
 
 #include "nacre/colour/cie_tables.h"
 #include "nacre/lut/bake.h"
+#include "nacre/lut/job.h"
 #include "nacre/lut/sampler.h"
 #include "nacre/optics/reversed.h"
 #include "nacre/shade/layered_colour.h"

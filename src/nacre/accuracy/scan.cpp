@@ -5,6 +5,7 @@
 #include <cstddef>
 
 #include "nacre/accuracy/effort.h"
+#include "nacre/lut/job.h"
 #include "nacre/shade/bends.h"
 
 namespace nacre {

@@ -10,10 +10,15 @@
 #include <utility>
 
 #include "nacre/accuracy/candidates.h"
+#include "nacre/accuracy/choose_sampling.h"
 #include "nacre/accuracy/effort.h"
 #include "nacre/accuracy/obstacle.h"
 #include "nacre/accuracy/scan.h"
 #include "nacre/base/error.h"
+#include "nacre/lut/formats.h"
+#include "nacre/lut/job.h"
+#include "nacre/lut/planned_lut.h"
+#include "nacre/shade/integral.h"
 
 namespace nacre {
 namespace {

@@ -3,10 +3,11 @@
 #include <string>
 #include <vector>
 
+#include "nacre/accuracy/choose_sampling.h"
 #include "nacre/lut/bake.h"
 #include "nacre/lut/encoding.h"
 #include "nacre/lut/fetch.h"
-#include "nacre/scene/plan.h"
+#include "nacre/lut/planned_lut.h"
 #include "nacre/shade/work.h"
 
 namespace nacre {

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "nacre/colour/difference.h"
-#include "nacre/scene/plan.h"
 #include "nacre/shade/layered_colour.h"
+#include "nacre/lut/job.h"
+#include "nacre/colour/difference.h"
 
 namespace nacre {
 namespace {
@@ -16,21 +16,6 @@ constexpr Xyz d65 = xyz_from_chromaticity(d65_chromaticity);
 constexpr double fine_fringes = 75.0;
 // So much finer than all others together that no two of them beat.
 constexpr double finer_than_others = 3.0;
-
-double optical_path_nm(const LayerSystem& system, double wavelength_nm, std::size_t begin, std::size_t end) {
-    double sum = 0.0;
-    for (std::size_t i = begin; i < end; ++i) {
-        const LayerNode& node = system.nodes[i];
-        const auto members = static_cast<std::size_t>(node.count);
-        if (node.repeat > 0) {
-            sum += node.repeat * optical_path_nm(system, wavelength_nm, i + 1, i + 1 + members);
-        } else if (!node.is_incoherent) {
-            sum += node.thickness_nm * system.index_at(node.medium, wavelength_nm).real();
-        }
-        i += members;
-    }
-    return sum;
-}
 
 // Only in such a layer do fringes stay fine at every angle: in a thinner medium the wave comes to run along the layer,
 // and near the critical angle fringes are as coarse as one likes.
@@ -68,13 +53,6 @@ std::vector<std::size_t> candidates(LayerSystem system, const LightSettings& lig
 }
 
 }  // namespace
-
-double fringe_count(const LayerSystem& system, const LightSettings& light) {
-    double path_nm = 0.0;
-    for (const int nm : {light.first_nm, (light.first_nm + light.last_nm) / 2, light.last_nm})
-        path_nm = std::max(path_nm, optical_path_nm(system, nm, 0, system.nodes.size()));
-    return 2.0 * path_nm * (1.0 / light.first_nm - 1.0 / light.last_nm);
-}
 
 std::vector<std::size_t> thick_layers(const Job& job, double tolerance) {
     if (!job.x.is_angle() || (job.y && !job.y->is_angle())) return {};

@@ -3,15 +3,9 @@
 #include <cstddef>
 #include <vector>
 
-#include "nacre/colour/light.h"
-#include "nacre/optics/layer_system.h"
+#include "nacre/lut/job.h"
 
 namespace nacre {
-
-struct Job;
-
-/// Interference fringes over the light's range, were all coherent layers one.
-double fringe_count(const LayerSystem& system, const LightSettings& light);
 
 /// Layers of a job's film or stack whose fringes are too fine for eye and light: taking them as incoherent changes
 /// colours by no more than `tolerance`, measured against every fringe at angles up to 60 degrees. Beyond, fringes are

@@ -1,5 +1,9 @@
 #include "nacre/accuracy/trial.h"
 
+#include "nacre/accuracy/choose_sampling.h"
+#include "nacre/lut/formats.h"
+#include "nacre/shade/integral.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>

@@ -9,6 +9,7 @@
 #include "nacre/lut/bake.h"
 #include "nacre/lut/encoding.h"
 #include "nacre/lut/fetch.h"
+#include "nacre/lut/formats.h"
 #include "nacre/lut/sampler.h"
 
 namespace nacre {

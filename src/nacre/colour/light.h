@@ -1,16 +1,15 @@
 #pragma once
 
-#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
 
 #include <glm/mat3x3.hpp>
 
+#include "nacre/base/sampled_curve.h"
 #include "nacre/colour/adaptation.h"
 #include "nacre/colour/lobe_moments.h"
 #include "nacre/colour/tristimulus.h"
-#include "nacre/scene/table.h"
 
 namespace nacre {
 
@@ -39,20 +38,10 @@ struct Light {
     Xyz white() const { return settings.wavelengths ? grid_weights.white : weights.white; }
 };
 
-/// @pre the settings come from read_light()
+/// @pre the settings were checked when they were read
 Light make_light(LightSettings settings);
 
 /// The same light with exact integration; itself if it has that already.
 std::shared_ptr<const Light> without_wavelengths(const std::shared_ptr<const Light>& light);
-
-/// How the core asks for a table of spectral power. The front end finds the file beside the scene; a curve that comes
-/// back ascends and is finite. Throws Error or IoError.
-using CurveReader = std::function<SampledCurve(const std::string& file, const Where& where)>;
-
-/// Reads [light] (null: all defaults) and `wavelengths` of [accuracy].
-LightSettings read_light(const Table* light, std::optional<int> wavelengths, const CurveReader& read_curve);
-
-/// The [light] table that leads to these settings; a table of spectral power is written out in full.
-std::string light_toml(const LightSettings& settings);
 
 }  // namespace nacre

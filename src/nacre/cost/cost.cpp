@@ -10,6 +10,10 @@
 #include "nacre/base/text.h"
 #include "nacre/cost/effect_cost.h"
 #include "nacre/cost/rivals.h"
+#include "nacre/lut/formats.h"
+#include "nacre/lut/job.h"
+#include "nacre/lut/planned_lut.h"
+#include "nacre/shade/integral.h"
 
 namespace nacre {
 namespace {

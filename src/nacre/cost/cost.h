@@ -6,6 +6,7 @@
 
 #include "nacre/accuracy/settle.h"
 #include "nacre/lut/encoding.h"
+#include "nacre/lut/planned_lut.h"
 #include "nacre/scene/plan.h"
 
 namespace nacre {

@@ -1,12 +1,14 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <glm/mat3x3.hpp>
 #include <optional>
 
+#include "nacre/lut/gamut_compression.h"
+#include "nacre/base/words.h"
 #include "nacre/base/image.h"
 #include "nacre/colour/colour_types.h"
-#include "nacre/lut/gamut_compression.h"
 
 namespace nacre {
 
@@ -16,6 +18,13 @@ namespace nacre {
 /// `clip` cuts at zero: shifts hue and raises luminance, and what differs by its negative components becomes one
 /// colour. `compress` lowers chroma and keeps hue and lightness as they are seen, see GamutCompression.
 enum class Gamut { keep, clip, compress };
+
+inline constexpr std::array gamut_words{
+    Word<Gamut>{"keep", Gamut::keep, "negative components stay, and are counted"},
+    Word<Gamut>{"clip", Gamut::clip, "negative components become 0"},
+    Word<Gamut>{"compress", Gamut::compress,
+                "less chroma at the same hue and lightness (Oklab), until nothing is negative"},
+};
 
 /// A component below this is outside the gamut, not rounding.
 ///

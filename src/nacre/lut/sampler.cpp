@@ -1,7 +1,8 @@
 #include "nacre/lut/sampler.h"
 
-#include <cstddef>
+#include <cassert>
 
+#include "nacre/lut/job.h"
 #include "nacre/shade/bends.h"
 
 namespace nacre {
@@ -19,30 +20,13 @@ bool same_but_for_tilt(Mechanism a, const Mechanism& b) {
 
 }  // namespace
 
-Mechanism mechanism_at(const Job& job, double x, double y) {
-    Mechanism mechanism = job.material.mechanism;
-    if (is_parameter(job.x)) job.x.parameter.set(mechanism, job.x.parameter_value(x));
-    if (job.y && is_parameter(*job.y)) job.y->parameter.set(mechanism, job.y->parameter_value(y));
-    return mechanism;
-}
-
-Mechanism simulated_at(const Job& job, double x, double y) {
-    Mechanism mechanism = mechanism_at(job, x, y);
-    remove(job.without, mechanism, job.light->settings.first_nm);
-    return mechanism;
-}
-
-Geometry geometry_at(const Job& job, double x, double y) {
-    if (job.x.is_angle()) return job.x.kind->geometry(x);
-    if (job.y && job.y->is_angle()) return job.y->kind->geometry(y);
-    return job.fixed;
-}
-
 Sampler::Sampler(const Job& job)
     : job_(job),
       mechanism_(simulated_at(job, 0.0, 0.0)),
-      sampling_(job.sampling.is_decided() || !samples_spectra(mechanism_) ? job.sampling : default_sampling(job)),
-      prepared_(prepare_colour(mechanism_, sampling_, *job.light, job.integral)) {}
+      sampling_(job.sampling),
+      prepared_(prepare_colour(mechanism_, sampling_, *job.light, job.integral)) {
+    assert(job.sampling.is_decided() || !samples_spectra(mechanism_));
+}
 
 void Sampler::set_parameters(double x, double y) {
     const bool x_moves = is_parameter(job_.x) && last_x_ != x;

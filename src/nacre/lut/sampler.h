@@ -2,12 +2,12 @@
 
 #include <optional>
 
-#include "nacre/colour/colour_types.h"
-#include "nacre/optics/palette.h"
-#include "nacre/scene/plan.h"
+#include "nacre/lut/job.h"
 #include "nacre/shade/prepared_colour.h"
 #include "nacre/shade/tilt.h"
 #include "nacre/shade/work.h"
+#include "nacre/colour/colour_types.h"
+#include "nacre/optics/palette.h"
 
 namespace nacre {
 
@@ -44,14 +44,5 @@ private:
     Geometry geometry_;                 // there
     Work work_;
 };
-
-/// The material as it is at one point of the parameter axes, with all that the scene says.
-Mechanism mechanism_at(const Job& job, double x, double y);
-
-/// The same without the effects that the job does without.
-Mechanism simulated_at(const Job& job, double x, double y);
-
-/// Where light and eye are at one point of the axes.
-Geometry geometry_at(const Job& job, double x, double y);
 
 }  // namespace nacre

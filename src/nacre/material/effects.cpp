@@ -5,8 +5,6 @@
 #include <map>
 #include <memory>
 
-#include "nacre/lut/sampler.h"
-#include "nacre/scene/plan.h"
 
 namespace nacre {
 namespace {
@@ -208,22 +206,6 @@ EffectSet effects_in(const Mechanism& mechanism, double first_nm) {
     EffectSet found;
     for (const EffectRow& row : rows) {
         if (row.is_in(mechanism, first_nm)) found.insert(row.effect);
-    }
-    return found;
-}
-
-EffectSet effects_in(const Job& job) {
-    const double first_nm = job.light->settings.first_nm;
-    EffectSet found;
-    const bool moves = !job.x.is_angle() || (job.y && !job.y->is_angle());
-    for (const double x : {0.0, 1.0}) {
-        for (const double y : {0.0, 1.0}) {
-            const Mechanism here = mechanism_at(job, x, y);
-            for (const EffectRow& row : rows) {
-                if (row.is_in(here, first_nm)) found.insert(row.effect);
-            }
-            if (!moves) return found;
-        }
     }
     return found;
 }

@@ -11,8 +11,6 @@
 
 namespace nacre {
 
-struct Job;
-
 /// What refines a mechanism's colour: the closed list. A scene calls for it or not; where it does, it may still make no
 /// difference that counts.
 enum class Effect {
@@ -60,8 +58,6 @@ std::span<const EffectRow> effect_rows();
 const EffectRow& row_of(Effect effect);
 
 EffectSet effects_in(const Mechanism& mechanism, double first_nm);
-/// Of a job: those that its material has anywhere on the axes.
-EffectSet effects_in(const Job& job);
 void remove(const EffectSet& effects, Mechanism& mechanism, double first_nm);
 
 /// What an index of a mechanism is of.

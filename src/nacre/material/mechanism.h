@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "nacre/material/geometry.h"
+#include "nacre/base/where.h"
 #include "nacre/optics/base.h"
 #include "nacre/optics/crystal.h"
 #include "nacre/optics/grating.h"
@@ -17,13 +18,8 @@
 #include "nacre/optics/palette.h"
 #include "nacre/optics/polarisation.h"
 #include "nacre/optics/scatter.h"
-#include "nacre/pick/fit_shape.h"
-#include "nacre/pick/picked_colour.h"
-#include "nacre/scene/table.h"
 
 namespace nacre {
-
-struct SceneContext;
 
 /// What refines a mechanism, if the scene calls for it. (Others are numbers of the mechanism itself: the spread of a
 /// stack's thicknesses, the orders of a grating.)
@@ -51,13 +47,11 @@ struct Mechanism : MechanismModel {
     }
 };
 
-/// A material of a scene.
+/// A named mechanism, and where the scene defines it.
 struct Material {
     std::string name;
     Mechanism mechanism;
     Where where;
-    std::vector<PickedColour> picked{};   ///< of the mechanism's picks those that were given as colours
-    std::optional<ShapeFit> shape_fit{};  ///< of a palette that left its shape open
 };
 
 /// A number of a mechanism that a LUT may have as its axis.
@@ -68,8 +62,8 @@ struct Parameter {
     std::function<void(Mechanism&, double)> set;
 };
 
-/// Every numeric parameter that a mechanism has, in the order in which they are offered.
-std::vector<Parameter> parameters_of(const Mechanism& mechanism);
+/// The names in a scene, in MechanismModel's order; the first is the default.
+std::vector<std::string> mechanism_names();
 
 /// The name in a scene: "palette".
 std::string_view mechanism_name(const Mechanism& mechanism);
@@ -79,11 +73,5 @@ Quantity quantity_of(const Mechanism& mechanism);
 
 /// Whether it is made of layers (film, stack, crystal).
 bool is_layered(const Mechanism& mechanism);
-
-/// Reads `mechanism`, that mechanism's keys, and its effects. Throws Error for anything that is wrong or unknown.
-Mechanism read_mechanism(const Table& table, const SceneContext& context);
-
-/// What the user wrote so as to get this mechanism: the lines below a [material.NAME] heading, in TOML.
-std::string mechanism_toml(const Mechanism& mechanism);
 
 }  // namespace nacre

@@ -7,9 +7,11 @@
 #include <numeric>
 #include <utility>
 
+#include "nacre/accuracy/exact_colour.h"
 #include "nacre/base/text.h"
 #include "nacre/colour/illuminant.h"
 #include "nacre/lut/bake.h"
+#include "nacre/scene/planned_swatch.h"
 #include "nacre/swatch/swatch.h"
 #include "nacre/swatch/swatch_gamut.h"
 

@@ -7,10 +7,12 @@
 #include <iterator>
 #include <utility>
 
+#include "nacre/accuracy/choose_sampling.h"
 #include "nacre/base/text.h"
 #include "nacre/colour/difference.h"
 #include "nacre/lut/bake.h"
 #include "nacre/shade/band.h"
+#include "nacre/shade/spectra.h"
 
 namespace nacre {
 namespace {

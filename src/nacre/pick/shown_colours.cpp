@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "nacre/colour/adaptation.h"
+#include "nacre/shade/integral.h"
 #include "nacre/shade/prepared_colour.h"
 
 namespace nacre {

@@ -1,6 +1,9 @@
 #include "nacre/scene/output_names.h"
 
 #include "nacre/base/error.h"
+#include "nacre/lut/formats.h"
+#include "nacre/lut/planned_lut.h"
+#include "nacre/scene/planned_swatch.h"
 
 namespace nacre {
 

@@ -4,7 +4,9 @@
 #include <string>
 #include <vector>
 
+#include "nacre/lut/planned_lut.h"
 #include "nacre/scene/plan.h"
+#include "nacre/scene/planned_swatch.h"
 
 namespace nacre {
 

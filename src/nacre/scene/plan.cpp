@@ -6,10 +6,17 @@
 
 #include "nacre/base/error.h"
 #include "nacre/base/names.h"
+#include "nacre/base/text.h"
+#include "nacre/lut/colour_settings.h"
+#include "nacre/lut/job.h"
+#include "nacre/lut/planned_lut.h"
 #include "nacre/lut/sampler.h"
 #include "nacre/pick/missed_picks.h"
+#include "nacre/scene/catalogue.h"
 #include "nacre/scene/output_names.h"
 #include "nacre/scene/plan_tables.h"
+#include "nacre/scene/readers/light_reader.h"
+#include "nacre/scene/readers/pick_reader.h"
 #include "nacre/shade/measured_colour.h"
 
 namespace nacre {
@@ -199,7 +206,7 @@ private:
 
     // Of a material whose numbers are all given, who bakes it knows what it misses; the plan says it still.
     void judge_picked_colours() {
-        for (const Material& material : plan_.materials) {
+        for (const SceneMaterial& material : plan_.materials) {
             for (const MissedPick& missed : missed_picks(material.picked)) {
                 const PickedColour& picked = missed.picked;
                 if (!picked.is_searched && !request_.strict) continue;
@@ -212,7 +219,7 @@ private:
     }
 
     void warn_of_single_picks() {
-        for (const Material& material : plan_.materials) {
+        for (const SceneMaterial& material : plan_.materials) {
             const auto* palette = std::get_if<Palette>(&material.mechanism);
             if (palette == nullptr || palette->picks.size() != 1) continue;
             plan_.warnings.push_back(material.where.text() + " [material." + material.name +
@@ -221,7 +228,7 @@ private:
     }
 
     void warn_of_black_gratings() {
-        for (const Material& material : plan_.materials) {
+        for (const SceneMaterial& material : plan_.materials) {
             const auto* grating = std::get_if<Grating>(&material.mechanism);
             if (grating == nullptr) continue;
             const std::string where = material.where.text() + " " + material.name + ": ";
@@ -290,37 +297,10 @@ private:
 
 }  // namespace
 
-std::string size_text(const Job& job) {
-    return std::to_string(job.width) + " x " + std::to_string(job.height);
-}
-
-namespace {
-
-// "48 nodes", "48/64 nodes", "471 wavelengths"; what is the same in all bands is said once.
-std::string nodes_text(const Job& job) {
-    if (job.light->settings.wavelengths) return std::to_string(*job.light->settings.wavelengths) + " wavelengths";
-    std::string counts;
-    int last = 0;
-    for (const int count : job.sampling.node_counts()) {
-        if (count != last) counts += (counts.empty() ? "" : "/") + std::to_string(count);
-        last = count;
-    }
-    return counts + " nodes";
-}
-
-}  // namespace
-
-std::string integration_text(const Job& job) {
-    const Mechanism& mechanism = job.material.mechanism;
-    const bool is_sampled = samples_spectra(mechanism) || job.light->settings.wavelengths;
-    if (!is_sampled && std::holds_alternative<Palette>(mechanism))
-        return std::string(name_of(integral_words, job.integral));
-    std::string text = is_sampled ? nodes_text(job) : "exact";
-    if (job.sampling.realisations > 1) text += " x " + std::to_string(job.sampling.realisations);
-    if (is_sampled && std::holds_alternative<Crystal>(mechanism))
-        text += " x " + std::to_string(job.sampling.slices) + " slices";
-    if (job.sampling.sizes > 1) text += " x " + std::to_string(job.sampling.sizes) + " radii";
-    return text;
+const SceneMaterial* find_material(const Plan& plan, const std::string& name) {
+    const auto found = std::find_if(plan.materials.begin(), plan.materials.end(),
+                                    [&](const SceneMaterial& material) { return material.name == name; });
+    return found == plan.materials.end() ? nullptr : &*found;
 }
 
 bool PlanRequest::wants(const std::string& name) const {

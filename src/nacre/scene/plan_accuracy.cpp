@@ -1,7 +1,9 @@
 #include <algorithm>
 
 #include "nacre/base/names.h"
+#include "nacre/scene/catalogue.h"
 #include "nacre/scene/plan_tables.h"
+#include "nacre/shade/integral.h"
 
 namespace nacre {
 namespace {

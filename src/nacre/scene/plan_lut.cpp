@@ -2,7 +2,11 @@
 #include <cstddef>
 
 #include "nacre/base/names.h"
+#include "nacre/lut/formats.h"
+#include "nacre/lut/planned_lut.h"
+#include "nacre/scene/catalogue.h"
 #include "nacre/scene/plan_tables.h"
+#include "nacre/scene/readers/axis_reader.h"
 
 namespace nacre {
 namespace {

@@ -3,6 +3,7 @@
 
 #include "nacre/base/names.h"
 #include "nacre/scene/plan_tables.h"
+#include "nacre/scene/readers/mechanism_reader.h"
 
 namespace nacre {
 
@@ -19,7 +20,7 @@ Materials::Materials(const Table& table, SceneContext context, Check check)
     }
 }
 
-const Material& Materials::named(const std::string& name) {
+const SceneMaterial& Materials::named(const std::string& name) {
     const auto found = read_.find(name);
     if (found != read_.end()) return found->second;
     const auto& entries = table_.entries();
@@ -28,7 +29,7 @@ const Material& Materials::named(const std::string& name) {
     picked_.clear();
     const std::size_t searches = searches_.size();
     shape_fit_.reset();
-    Material material{entry->key, read_mechanism(table, context_), entry->key_where, {}, {}};
+    SceneMaterial material{{entry->key, read_mechanism(table, context_), entry->key_where}, {}, {}};
     for (std::size_t i = searches; i < searches_.size(); ++i) searches_[i].material = entry->key;
     material.picked = std::exchange(picked_, {});
     material.shape_fit = std::exchange(shape_fit_, {});
@@ -37,8 +38,8 @@ const Material& Materials::named(const std::string& name) {
     return read_.emplace(name, std::move(material)).first->second;
 }
 
-std::vector<Material> Materials::read() const {
-    std::vector<Material> materials;
+std::vector<SceneMaterial> Materials::read() const {
+    std::vector<SceneMaterial> materials;
     for (const std::string& name : names_) {
         const auto found = read_.find(name);
         if (found != read_.end()) materials.push_back(found->second);
@@ -46,7 +47,7 @@ std::vector<Material> Materials::read() const {
     return materials;
 }
 
-const Material& material_of(const Table& table, Materials& materials) {
+const SceneMaterial& material_of(const Table& table, Materials& materials) {
     const Value* value = table.find("material");
     const std::vector<std::string>& known = materials.names();
     if (value == nullptr) {

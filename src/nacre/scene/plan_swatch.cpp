@@ -1,12 +1,27 @@
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 
 #include "nacre/base/names.h"
+#include "nacre/lut/planned_lut.h"
+#include "nacre/scene/catalogue.h"
 #include "nacre/scene/plan_tables.h"
-#include "nacre/swatch/swatch.h"
+#include "nacre/scene/planned_swatch.h"
+#include "nacre/scene/readers/axis_reader.h"
 
 namespace nacre {
 namespace {
+
+// The peaks that a plane shows: the visible ones.
+constexpr double shortest_peak_nm = 380.0;
+constexpr double longest_peak_nm = 780.0;
+
+Axis angle_axis(std::string_view name) {
+    for (const AxisKind& kind : axis_kinds()) {
+        if (kind.name == name) return {&kind, {}, 0.0, 1.0};
+    }
+    return default_axis();
+}
 
 // The LUT that the key `lut` names.
 const PlannedLut& lut_of(const Table& table, const Value& value, const LutFinder& find_lut) {
@@ -25,7 +40,7 @@ void show_lut(const Table& table, const Value& value, const LutFinder& find_lut,
 
 void show_material(const Table& table, Materials& materials, const std::shared_ptr<const Light>& light,
                    PlannedSwatch& swatch) {
-    const Material& material = material_of(table, materials);
+    const SceneMaterial& material = material_of(table, materials);
     const bool needs_picks = swatch.kind == SwatchKind::plane || swatch.kind == SwatchKind::palette;
     if (needs_picks && !std::holds_alternative<Palette>(material.mechanism)) {
         table.fail_at("draw", "draw = " + in_quotes(name_of(swatch_words, swatch.kind)) +
@@ -37,6 +52,7 @@ void show_material(const Table& table, Materials& materials, const std::shared_p
                                   in_quotes(material.name) + " has none; give them as colour = \"#rrggbb\"");
     }
     swatch.jobs = swatch_jobs(swatch.kind, material, light);
+    swatch.picked = material.picked;
     if (swatch.kind != SwatchKind::palette) return;
     const Allowed allowed_pick{0.0, static_cast<double>(swatch.jobs.size() - 1)};
     const int pick = table.integer_or("pick", allowed_pick, -1);
@@ -45,6 +61,45 @@ void show_material(const Table& table, Materials& materials, const std::shared_p
 }
 
 }  // namespace
+
+std::vector<Job> swatch_jobs(SwatchKind kind, const Material& material, const std::shared_ptr<const Light>& light) {
+    Job job;
+    job.material = material;
+    job.light = light;
+    switch (kind) {
+        case SwatchKind::plane:
+            job.x = parameter_axis(material.mechanism, "peak_nm", shortest_peak_nm, longest_peak_nm);
+            job.y = angle_axis("theta_deg");
+            job.width = 1046;
+            job.height = 560;
+            return {job};
+        case SwatchKind::palette: {
+            constexpr double round_nm = 50.0;
+            const auto& picks = std::get<Palette>(material.mechanism).picks;
+            double widest_nm = 200.0;
+            for (const Pick& pick : picks) widest_nm = std::max(widest_nm, 1.25 * pick.lobe.width_nm);
+            widest_nm = std::min(round_nm * std::ceil(widest_nm / round_nm), 1000.0);
+            std::vector<Job> jobs;
+            for (const Pick& pick : picks) {
+                // At its own angle a pick is alone, so that its panel costs the same whatever else was picked.
+                job.material.mechanism = Palette{{pick}};
+                job.x = parameter_axis(job.material.mechanism, "width_nm", 0.0, widest_nm);
+                job.y = parameter_axis(job.material.mechanism, "height", 0.0, 1.0);
+                job.fixed = Incidence::from_degrees(pick.angle_deg);
+                job.width = job.height = 475;
+                jobs.push_back(job);
+            }
+            return jobs;
+        }
+        case SwatchKind::strip:
+        case SwatchKind::sphere:
+        case SwatchKind::picks:
+            job.x = default_axis(quantity_of(material.mechanism));
+            job.width = 1100;
+            return {job};
+    }
+    return {};
+}
 
 PlannedSwatch read_swatch(const Table& table, const Table::Entry& entry, Materials& materials,
                           const std::shared_ptr<const Light>& light, const LutFinder& find_lut) {

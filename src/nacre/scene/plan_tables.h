@@ -7,7 +7,9 @@
 #include <string>
 #include <vector>
 
+#include "nacre/lut/planned_lut.h"
 #include "nacre/scene/plan.h"
+#include "nacre/scene/planned_swatch.h"
 
 namespace nacre {
 
@@ -56,9 +58,9 @@ public:
     Materials& operator=(const Materials&) = delete;
 
     const std::vector<std::string>& names() const { return names_; }
-    const Material& named(const std::string& name);
+    const SceneMaterial& named(const std::string& name);
     /// Those that were asked for, in the scene's order.
-    std::vector<Material> read() const;
+    std::vector<SceneMaterial> read() const;
     /// Of these, what picks led to.
     const std::vector<MaterialSearch>& searches() const { return searches_; }
 
@@ -70,11 +72,11 @@ private:
     std::optional<ShapeFit> shape_fit_;  // likewise
     std::vector<MaterialSearch> searches_;
     std::vector<std::string> names_;
-    std::map<std::string, Material> read_;
+    std::map<std::string, SceneMaterial> read_;
 };
 
 /// The material that the key `material` names, or the only one that there is.
-const Material& material_of(const Table& table, Materials& materials);
+const SceneMaterial& material_of(const Table& table, Materials& materials);
 
 /// One [lut.NAME].
 PlannedLut read_lut(const Table& table, const Table::Entry& entry, Materials& materials,

@@ -9,6 +9,8 @@
 #include "nacre/pick/mechanism_search.h"
 #include "nacre/pick/picked_colour.h"
 #include "nacre/scene/readers/index_reader.h"
+#include "nacre/scene/readers/light_reader.h"
+#include "nacre/scene/readers/pick_reader.h"
 
 namespace nacre {
 

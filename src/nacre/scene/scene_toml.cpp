@@ -1,5 +1,14 @@
 #include "nacre/base/text.h"
+#include "nacre/lut/colour_settings.h"
+#include "nacre/lut/formats.h"
+#include "nacre/lut/job.h"
+#include "nacre/lut/planned_lut.h"
+#include "nacre/scene/catalogue.h"
 #include "nacre/scene/plan.h"
+#include "nacre/scene/readers/axis_reader.h"
+#include "nacre/scene/readers/light_reader.h"
+#include "nacre/scene/readers/mechanism_reader.h"
+#include "nacre/shade/integral.h"
 
 namespace nacre {
 namespace {

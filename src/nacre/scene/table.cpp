@@ -20,13 +20,6 @@ std::string interval_text(const Allowed& allowed) {
 
 }  // namespace
 
-std::string Where::text() const {
-    std::string text = file;
-    if (line > 0) text += ":" + std::to_string(line);
-    if (line > 0 && column > 0) text += ":" + std::to_string(column);
-    return text;
-}
-
 std::string_view Value::kind() const {
     constexpr std::string_view kinds[] = {"a boolean", "a whole number", "a number", "a string", "an array", "a table"};
     return kinds[data.index()];

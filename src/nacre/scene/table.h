@@ -9,17 +9,9 @@
 #include <variant>
 #include <vector>
 
+#include "nacre/base/where.h"
+
 namespace nacre {
-
-/// A place in what the user wrote. Line and column count from 1; 0 means unknown.
-struct Where {
-    std::string file;
-    int line = 0;
-    int column = 0;
-
-    /// "file:line:column", or as much of it as is known.
-    std::string text() const;
-};
 
 class Table;
 
@@ -33,13 +25,6 @@ struct Value {
     std::string_view kind() const;
     /// As the user might have written it, shortened where it is long.
     std::string text() const;
-};
-
-/// The numbers that a key may have.
-struct Allowed {
-    double low = 0.0;
-    double high = 0.0;
-    std::string_view unit = {};  ///< behind the interval in messages, e.g. "nm"
 };
 
 /// What the user wrote between two table headings, in any syntax, with places.

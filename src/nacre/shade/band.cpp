@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "nacre/lut/bake.h"
+#include "nacre/shade/spectra.h"
 #include "nacre/shade/layered_colour.h"
 
 namespace nacre {

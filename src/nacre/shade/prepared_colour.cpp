@@ -4,6 +4,7 @@
 
 #include "nacre/colour/lobe_moments.h"
 #include "nacre/colour/tristimulus.h"
+#include "nacre/shade/integral.h"
 
 namespace nacre {
 namespace {

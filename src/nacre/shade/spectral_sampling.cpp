@@ -3,9 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "nacre/accuracy/thick_layers.h"
-#include "nacre/lut/sampler.h"
-#include "nacre/scene/plan.h"
 #include "nacre/shade/layered_colour.h"
 
 namespace nacre {
@@ -24,6 +21,32 @@ NodeCounts SpectralSampling::node_counts() const {
 
 bool samples_spectra(const Mechanism& mechanism) {
     return is_layered(mechanism) || std::holds_alternative<Scatter>(mechanism);
+}
+
+namespace {
+
+double optical_path_nm(const LayerSystem& system, double wavelength_nm, std::size_t begin, std::size_t end) {
+    double sum = 0.0;
+    for (std::size_t i = begin; i < end; ++i) {
+        const LayerNode& node = system.nodes[i];
+        const auto members = static_cast<std::size_t>(node.count);
+        if (node.repeat > 0) {
+            sum += node.repeat * optical_path_nm(system, wavelength_nm, i + 1, i + 1 + members);
+        } else if (!node.is_incoherent) {
+            sum += node.thickness_nm * system.index_at(node.medium, wavelength_nm).real();
+        }
+        i += members;
+    }
+    return sum;
+}
+
+}  // namespace
+
+double fringe_count(const LayerSystem& system, const LightSettings& light) {
+    double path_nm = 0.0;
+    for (const int nm : {light.first_nm, (light.first_nm + light.last_nm) / 2, light.last_nm})
+        path_nm = std::max(path_nm, optical_path_nm(system, nm, 0, system.nodes.size()));
+    return 2.0 * path_nm * (1.0 / light.first_nm - 1.0 / light.last_nm);
 }
 
 double fringe_count(const Mechanism& mechanism, const LightSettings& light) {
@@ -48,10 +71,6 @@ double effort_per_sample(const Mechanism& mechanism, int slices) {
     if (is_layered(mechanism))
         return 1.0 + of_a_layer * solved_layers(layer_ensemble(mechanism, 2, {}, slices).systems.front());
     return std::holds_alternative<Grating>(mechanism) ? of_a_line : 1.0;
-}
-
-SpectralSampling default_sampling(const Job& job) {
-    return choose_sampling(job, {}).sampling;
 }
 
 }  // namespace nacre

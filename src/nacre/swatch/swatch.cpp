@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <string>
 
+#include "nacre/scene/planned_swatch.h"
 #include "nacre/swatch/swatch_gamut.h"
 #include "nacre/swatch/swatch_layout.h"
 #include "nacre/swatch/swatch_picks.h"
@@ -13,8 +14,6 @@
 namespace nacre {
 namespace {
 
-constexpr double shortest_peak_nm = 380.0;
-constexpr double longest_peak_nm = 780.0;
 constexpr PlotArea plane_area{104, 128, 1046, 560};
 constexpr PlotArea strip_area{50, 148, 1100, 170};
 constexpr PlotArea lut_area{104, 128, 1046, 520};
@@ -26,13 +25,6 @@ Swatch blank(int width, int height) {
     swatch.width = width;
     swatch.height = height;
     return swatch;
-}
-
-Axis angle_axis(std::string_view name) {
-    for (const AxisKind& kind : axis_kinds()) {
-        if (kind.name == name) return {&kind, {}, 0.0, 1.0};
-    }
-    return default_axis();
 }
 
 // Where the palette asks for what no surface can do, from one angle to the end of the axis.
@@ -277,45 +269,6 @@ Swatch draw_sphere(const PlannedSwatch& planned) {
 }
 
 }  // namespace
-
-std::vector<Job> swatch_jobs(SwatchKind kind, const Material& material, const std::shared_ptr<const Light>& light) {
-    Job job;
-    job.material = material;
-    job.light = light;
-    switch (kind) {
-        case SwatchKind::plane:
-            job.x = parameter_axis(material.mechanism, "peak_nm", shortest_peak_nm, longest_peak_nm);
-            job.y = angle_axis("theta_deg");
-            job.width = plane_area.width;
-            job.height = plane_area.height;
-            return {job};
-        case SwatchKind::palette: {
-            constexpr double round_nm = 50.0;
-            const auto& picks = std::get<Palette>(material.mechanism).picks;
-            double widest_nm = 200.0;
-            for (const Pick& pick : picks) widest_nm = std::max(widest_nm, 1.25 * pick.lobe.width_nm);
-            widest_nm = std::min(round_nm * std::ceil(widest_nm / round_nm), 1000.0);
-            std::vector<Job> jobs;
-            for (const Pick& pick : picks) {
-                // At its own angle a pick is alone, so that its panel costs the same whatever else was picked.
-                job.material.mechanism = Palette{{pick}};
-                job.x = parameter_axis(job.material.mechanism, "width_nm", 0.0, widest_nm);
-                job.y = parameter_axis(job.material.mechanism, "height", 0.0, 1.0);
-                job.fixed = Incidence::from_degrees(pick.angle_deg);
-                job.width = job.height = 475;
-                jobs.push_back(job);
-            }
-            return jobs;
-        }
-        case SwatchKind::strip:
-        case SwatchKind::sphere:
-        case SwatchKind::picks:
-            job.x = default_axis(quantity_of(material.mechanism));
-            job.width = strip_area.width;
-            return {job};
-    }
-    return {};
-}
 
 Swatch draw_swatch(const PlannedSwatch& swatch, const LutSpace& space) {
     switch (swatch.kind) {

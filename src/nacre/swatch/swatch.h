@@ -1,21 +1,12 @@
 #pragma once
 
-#include <memory>
-#include <vector>
+#include <cstddef>
 
-#include "nacre/scene/catalogue.h"
-#include "nacre/scene/plan.h"
+#include "nacre/scene/planned_swatch.h"
 #include "nacre/swatch/swatch_outside.h"
 #include "nacre/swatch/swatch_picture.h"
 
 namespace nacre {
-
-/// The images that a swatch of a material is made of: a swatch is a bake, not a second renderer.
-///
-/// plane: peak wavelength (x) against angle (y). palette: width (x) against height (y), one job per pick, at the pick's
-/// angle and with that pick as its material's only one. strip, sphere and picks: the default LUT, finely
-/// sampled.
-std::vector<Job> swatch_jobs(SwatchKind kind, const Material& material, const std::shared_ptr<const Light>& light);
 
 /// Lays the picture out and bakes what it shows, at the picture's own resolution: the sizes of the jobs do not matter.
 ///

@@ -6,9 +6,12 @@
 #include <cstddef>
 #include <utility>
 
+#include "nacre/accuracy/choose_sampling.h"
 #include "nacre/base/text.h"
 #include "nacre/lut/bake.h"
+#include "nacre/lut/job.h"
 #include "nacre/lut/sampler.h"
+#include "nacre/shade/integral.h"
 #include "nacre/shade/spectral_sampling.h"
 
 namespace nacre {

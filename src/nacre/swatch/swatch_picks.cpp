@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "nacre/base/text.h"
+#include "nacre/scene/planned_swatch.h"
 #include "nacre/swatch/swatch_gamut.h"
 #include "nacre/swatch/swatch_layout.h"
 
@@ -62,7 +63,7 @@ void draw_pair(Swatch& swatch, const PickedColour& picked, int left, int top, in
 
 Swatch draw_picks(const PlannedSwatch& planned) {
     const Job& job = planned.jobs.front();
-    const auto& picks = job.material.picked;
+    const auto& picks = planned.picked;
     const std::size_t shown = std::min(picks.size(), most_pairs);
     const std::size_t columns = std::clamp<std::size_t>(shown, 1, most_columns);
     const int rows = static_cast<int>((shown + columns - 1) / columns);

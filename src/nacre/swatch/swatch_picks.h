@@ -1,6 +1,7 @@
 #pragma once
 
 #include "nacre/scene/plan.h"
+#include "nacre/scene/planned_swatch.h"
 #include "nacre/swatch/swatch_picture.h"
 
 namespace nacre {

@@ -6,7 +6,9 @@
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 
+#include "nacre/accuracy/choose_sampling.h"
 #include "nacre/lut/bake.h"
+#include "nacre/shade/integral.h"
 #include "nacre/swatch/swatch_gamut.h"
 
 namespace nacre {

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "nacre/base/error.h"
+#include "nacre/lut/formats.h"
 #include "support/program.h"
 
 namespace nacre {

@@ -10,6 +10,9 @@
 #include <vector>
 
 #include "nacre/accuracy/scan.h"
+#include "nacre/lut/formats.h"
+#include "nacre/scene/readers/axis_reader.h"
+#include "nacre/shade/integral.h"
 #include "support/palette_luts.h"
 
 namespace nacre {

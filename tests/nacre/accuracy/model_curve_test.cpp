@@ -1,4 +1,5 @@
 #include "nacre/accuracy/model_curve.h"
+#include "nacre/accuracy/choose_sampling.h"
 
 #include <gtest/gtest.h>
 
@@ -11,6 +12,7 @@
 #include "nacre/accuracy/trial.h"
 #include "nacre/colour/illuminant.h"
 #include "nacre/lut/sampler.h"
+#include "nacre/scene/readers/axis_reader.h"
 
 namespace nacre {
 namespace {

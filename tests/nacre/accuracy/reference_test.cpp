@@ -1,4 +1,5 @@
 #include "nacre/accuracy/reference.h"
+#include "nacre/accuracy/exact_colour.h"
 
 #include <gtest/gtest.h>
 
@@ -6,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "nacre/scene/readers/axis_reader.h"
 #include "reference/lobe_quadrature.h"
 #include "reference/weights.h"
 #include "support/palette_luts.h"

@@ -1,4 +1,5 @@
 #include "nacre/accuracy/scan.h"
+#include "nacre/accuracy/exact_colour.h"
 
 #include <gtest/gtest.h>
 
@@ -8,6 +9,9 @@
 #include <string>
 #include <vector>
 
+#include "nacre/lut/formats.h"
+#include "nacre/lut/job.h"
+#include "nacre/scene/readers/axis_reader.h"
 #include "support/palette_luts.h"
 
 namespace nacre {

@@ -1,4 +1,5 @@
 #include "nacre/accuracy/settle.h"
+#include "nacre/accuracy/exact_colour.h"
 
 #include <gtest/gtest.h>
 
@@ -14,6 +15,10 @@
 
 #include "nacre/accuracy/scan.h"
 #include "nacre/base/error.h"
+#include "nacre/lut/formats.h"
+#include "nacre/lut/planned_lut.h"
+#include "nacre/scene/readers/axis_reader.h"
+#include "nacre/shade/integral.h"
 #include "support/palette_luts.h"
 
 namespace nacre {

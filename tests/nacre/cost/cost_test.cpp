@@ -1,4 +1,5 @@
 #include "nacre/cost/cost.h"
+#include "nacre/accuracy/exact_colour.h"
 
 #include <gtest/gtest.h>
 
@@ -10,6 +11,8 @@
 #include <string>
 #include <vector>
 
+#include "nacre/lut/formats.h"
+#include "nacre/scene/readers/axis_reader.h"
 #include "support/palette_luts.h"
 
 namespace nacre {

@@ -1,10 +1,14 @@
 #include "nacre/lut/bake.h"
+#include "nacre/accuracy/exact_colour.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "nacre/colour/illuminant.h"
+#include "nacre/scene/readers/axis_reader.h"
+#include "nacre/scene/readers/mechanism_reader.h"
+#include "nacre/shade/spectra.h"
 
 namespace nacre {
 namespace {

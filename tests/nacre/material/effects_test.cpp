@@ -1,6 +1,7 @@
 // What refines a mechanism: identities that must hold, what an effect of size 0 may change (no bit), and what an absent
 // one may cost (nothing).
 #include "nacre/material/effects.h"
+#include "nacre/accuracy/choose_sampling.h"
 
 #include <gtest/gtest.h>
 
@@ -19,8 +20,10 @@
 #include "nacre/colour/rgb_space.h"
 #include "nacre/lut/bake.h"
 #include "nacre/scene/plan.h"
+#include "nacre/scene/readers/axis_reader.h"
 #include "nacre/scene/readers/base_reader.h"
 #include "nacre/shade/layered_colour.h"
+#include "nacre/shade/spectra.h"
 
 namespace nacre {
 namespace {

@@ -1,4 +1,5 @@
 #include "nacre/paper/paper_judged.h"
+#include "nacre/accuracy/exact_colour.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,6 @@
 #include "nacre/shade/spectral_sampling.h"
+#include "nacre/accuracy/choose_sampling.h"
+#include "nacre/scene/readers/axis_reader.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,6 @@
 #include "nacre/swatch/swatch_outside.h"
+#include "nacre/scene/planned_swatch.h"
+#include "nacre/scene/readers/axis_reader.h"
 
 #include <gtest/gtest.h>
 

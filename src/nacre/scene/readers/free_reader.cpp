@@ -1,6 +1,5 @@
 #include "nacre/scene/readers/free_reader.h"
 
-#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <utility>
@@ -9,6 +8,7 @@
 #include "nacre/base/names.h"
 #include "nacre/base/text.h"
 #include "nacre/scene/readers/mechanism_readers.h"
+#include "nacre/scene/readers/pick_reader.h"
 
 namespace nacre {
 namespace {

@@ -7,6 +7,7 @@
 
 #include "nacre/base/text.h"
 #include "nacre/scene/readers/mechanism_readers.h"
+#include "nacre/scene/readers/pick_reader.h"
 
 namespace nacre {
 namespace {

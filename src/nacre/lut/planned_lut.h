@@ -1,0 +1,58 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "nacre/base/where.h"
+#include "nacre/lut/formats.h"
+#include "nacre/lut/job.h"
+
+namespace nacre {
+
+/// Numbers of points that a scene insists on; 0: to be chosen.
+struct QuadratureWish {
+    int hemisphere = 0;
+    int sizes = 0;
+    int slices = 0;
+};
+
+/// What a scene says of a LUT's accuracy. What it leaves open is decided by settle(), where the colour space is known.
+struct AccuracyWish {
+    double max_de00 = default_max_de00;  ///< largest CIEDE2000 error of what a shader fetches
+    /// Whether there is a bound at all: not so where the scene gives `size` or `wavelengths` and no bound.
+    bool has_bound = true;
+    /// Whether the user gave it: then a LUT that errs by more is refused. The default is a goal; who misses it is
+    /// warned.
+    bool is_binding = false;
+    std::optional<int> width;
+    std::optional<int> height;
+    std::optional<PixelFormat> format;
+    std::optional<Integral> integral;
+    std::optional<NodeCounts> nodes;  ///< wavelengths of spectra that are sampled, per band of angles
+    std::optional<int> realisations;  ///< of irregular ones
+    QuadratureWish points;            ///< of effects that are integrals
+    /// Whether effects that make no difference that counts are left out; else all are simulated but these.
+    bool may_drop_effects = true;
+    EffectSet without;
+
+    static constexpr double default_max_de00 = 0.1;
+};
+
+/// One LUT: <name>.exr and what goes with it.
+struct PlannedLut {
+    std::string name;
+    Job job;  ///< its size and integral are placeholders until settle() has decided them; so is the format
+    AccuracyWish wish;
+    PixelFormat format = PixelFormat::half_float;
+    std::vector<LutOutput> outputs{LutOutput::exr, LutOutput::json};
+    Where where;
+};
+
+/// Bounds that a user may give: below the least, single precision and the fast integral drown in their own rounding.
+inline constexpr Allowed allowed_max_de00{1e-5, 100.0};
+
+/// The longest side of a LUT, in texels.
+inline constexpr int largest_lut_size = 4096;
+
+}  // namespace nacre

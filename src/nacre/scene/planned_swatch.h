@@ -1,0 +1,53 @@
+#pragma once
+
+#include <array>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "nacre/base/where.h"
+#include "nacre/base/words.h"
+#include "nacre/lut/gamut.h"
+#include "nacre/lut/job.h"
+#include "nacre/pick/picked_colour.h"
+
+namespace nacre {
+
+/// What a swatch shows: see [swatch.NAME] in the documentation of scenes.
+enum class SwatchKind { plane, palette, strip, sphere, picks };
+
+inline constexpr std::array swatch_words{
+    Word<SwatchKind>{"plane", SwatchKind::plane, "peak wavelength against angle, with the picks"},
+    Word<SwatchKind>{"palette", SwatchKind::palette, "width against height at a pick's peak"},
+    Word<SwatchKind>{"strip", SwatchKind::strip, "the LUT with its axis"},
+    Word<SwatchKind>{"sphere", SwatchKind::sphere, "a lit ball"},
+    Word<SwatchKind>{"picks", SwatchKind::picks, "picked colours beside those that are reached"},
+};
+
+/// The same for pictures, which have to show something.
+inline constexpr std::array swatch_gamut_words{
+    Word<Gamut>{"compress", Gamut::compress, "bent into what sRGB shows, so that neighbours stay distinct"},
+    Word<Gamut>{"clip", Gamut::clip, "cut at what the display shows"},
+};
+
+/// One picture: <name>.png.
+struct PlannedSwatch {
+    std::string name;
+    SwatchKind kind = SwatchKind::strip;
+    std::string title;
+    std::vector<Job> jobs;  ///< plane, strip, sphere: one; palette: one per pick shown
+    std::vector<PickedColour> picked;  ///< of the material, those that were given as colours
+    std::string display;    ///< empty: the config's default
+    std::string view;
+    Gamut gamut = Gamut::compress;  ///< compress or clip: how colours that an sRGB display lacks are shown
+    Where where;
+};
+
+/// The images that a swatch of a material is made of: a swatch is a bake, not a second renderer.
+///
+/// plane: peak wavelength (x) against angle (y). palette: width (x) against height (y), one job per pick, at the pick's
+/// angle and with that pick as its material's only one. strip, sphere and picks: the default LUT, finely
+/// sampled.
+std::vector<Job> swatch_jobs(SwatchKind kind, const Material& material, const std::shared_ptr<const Light>& light);
+
+}  // namespace nacre

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+
+#include "nacre/base/sampled_curve.h"
+#include "nacre/base/where.h"
+#include "nacre/colour/light.h"
+#include "nacre/scene/table.h"
+
+namespace nacre {
+
+/// How the core asks for a table of spectral power. The front end finds the file beside the scene; a curve that comes
+/// back ascends and is finite. Throws Error or IoError.
+using CurveReader = std::function<SampledCurve(const std::string& file, const Where& where)>;
+
+/// Reads [light] (null: all defaults) and `wavelengths` of [accuracy].
+LightSettings read_light(const Table* light, std::optional<int> wavelengths, const CurveReader& read_curve);
+
+/// The [light] table that leads to these settings; a table of spectral power is written out in full.
+std::string light_toml(const LightSettings& settings);
+
+}  // namespace nacre

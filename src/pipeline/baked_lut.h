@@ -24,12 +24,12 @@ struct BakedLut {
     Image<Rgb> image;  ///< as stored: every component is one of the format's numbers
     LutHeader header;
     std::optional<double>
-        reached;          ///< largest error found, rounded up to three digits; nothing where it cannot be known
-    Work work;            ///< baking and measuring; settling not counted
-    GamutReport gamut;    ///< before [colour] gamut was applied
-    GamutReport left;     ///< after it, of the numbers as stored
+        reached;        ///< largest error found, rounded up to three digits; nothing where it cannot be known
+    Work work;          ///< baking and measuring; settling not counted
+    GamutReport gamut;  ///< before [colour] gamut was applied
+    GamutReport left;   ///< after it, of the numbers as stored
     std::vector<PickedColour> picked;  ///< of the material's picks those that were given as colours
-    ClampBounds clamped;  ///< beyond these angles the picks ask for what no surface can do
+    ClampBounds clamped;               ///< beyond these angles the picks ask for what no surface can do
 };
 
 /// Where the target space comes from, for the header.
@@ -45,8 +45,8 @@ Encoding lut_encoding(const ColourTransform& transform, Gamut gamut);
 /// XYZ of every texel, through the colour transform and the gamut's rule, measured, with its header.
 /// @param plan  of the scene that the LUT is from: its colour settings, and what picks became
 /// Throws Error if the space or the format cannot hold the colours.
-BakedLut bake_lut(const SettledLut& lut, const Plan& plan, const ColourSource& source,
-                  const ColourTransform& transform, const AfterRow& after_row = {});
+BakedLut bake_lut(const SettledLut& lut, const Plan& plan, const ColourSource& source, const ColourTransform& transform,
+                  const AfterRow& after_row = {});
 
 /// A pick that was given as a colour, for manifests and --json.
 nlohmann::ordered_json picked_json(const PickedColour& picked);

@@ -1,8 +1,8 @@
 #pragma once
 
+#include "nacre/colour/xyz_curve.h"
 #include "nacre/lut/bake.h"
 #include "nacre/lut/planned_lut.h"
-#include "nacre/colour/xyz_curve.h"
 
 namespace nacre {
 

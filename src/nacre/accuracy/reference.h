@@ -5,9 +5,9 @@
 #include <utility>
 #include <vector>
 
-#include "nacre/lut/planned_lut.h"
-#include "nacre/colour/xyz_curve.h"
 #include "nacre/colour/colour_types.h"
+#include "nacre/colour/xyz_curve.h"
+#include "nacre/lut/planned_lut.h"
 
 namespace nacre {
 

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "nacre/shade/layered_colour.h"
-#include "nacre/lut/job.h"
 #include "nacre/colour/difference.h"
+#include "nacre/lut/job.h"
+#include "nacre/shade/layered_colour.h"
 
 namespace nacre {
 namespace {

@@ -3,9 +3,9 @@
 #include <functional>
 
 #include "nacre/base/image.h"
+#include "nacre/colour/colour_types.h"
 #include "nacre/lut/job.h"
 #include "nacre/shade/work.h"
-#include "nacre/colour/colour_types.h"
 
 namespace nacre {
 

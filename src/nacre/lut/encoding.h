@@ -2,9 +2,9 @@
 
 #include <functional>
 
-#include "nacre/lut/formats.h"
 #include "nacre/base/image.h"
 #include "nacre/colour/colour_types.h"
+#include "nacre/lut/formats.h"
 
 namespace nacre {
 

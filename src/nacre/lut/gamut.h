@@ -5,10 +5,10 @@
 #include <glm/mat3x3.hpp>
 #include <optional>
 
-#include "nacre/lut/gamut_compression.h"
-#include "nacre/base/words.h"
 #include "nacre/base/image.h"
+#include "nacre/base/words.h"
 #include "nacre/colour/colour_types.h"
+#include "nacre/lut/gamut_compression.h"
 
 namespace nacre {
 

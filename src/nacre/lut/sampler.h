@@ -2,12 +2,12 @@
 
 #include <optional>
 
+#include "nacre/colour/colour_types.h"
 #include "nacre/lut/job.h"
+#include "nacre/optics/palette.h"
 #include "nacre/shade/prepared_colour.h"
 #include "nacre/shade/tilt.h"
 #include "nacre/shade/work.h"
-#include "nacre/colour/colour_types.h"
-#include "nacre/optics/palette.h"
 
 namespace nacre {
 

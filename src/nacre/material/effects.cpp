@@ -5,7 +5,6 @@
 #include <map>
 #include <memory>
 
-
 namespace nacre {
 namespace {
 

@@ -11,12 +11,9 @@ struct MechanismRow {
     Quantity quantity;
 };
 constexpr std::array mechanism_rows{
-    MechanismRow{"palette", Quantity::incidence},
-    MechanismRow{"film", Quantity::incidence},
-    MechanismRow{"stack", Quantity::incidence},
-    MechanismRow{"grating", Quantity::grating_u},
-    MechanismRow{"crystal", Quantity::incidence},
-    MechanismRow{"scatter", Quantity::cos_scatter},
+    MechanismRow{"palette", Quantity::incidence},  MechanismRow{"film", Quantity::incidence},
+    MechanismRow{"stack", Quantity::incidence},    MechanismRow{"grating", Quantity::grating_u},
+    MechanismRow{"crystal", Quantity::incidence},  MechanismRow{"scatter", Quantity::cos_scatter},
     MechanismRow{"measured", Quantity::incidence},
 };
 

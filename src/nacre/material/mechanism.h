@@ -8,8 +8,8 @@
 #include <variant>
 #include <vector>
 
-#include "nacre/material/geometry.h"
 #include "nacre/base/where.h"
+#include "nacre/material/geometry.h"
 #include "nacre/optics/base.h"
 #include "nacre/optics/crystal.h"
 #include "nacre/optics/grating.h"

@@ -8,8 +8,8 @@
 
 #include "nacre/base/where.h"
 #include "nacre/colour/colour_types.h"
-#include "nacre/pick/lobe/lobe_finder.h"
 #include "nacre/optics/lobe.h"
+#include "nacre/pick/lobe/lobe_finder.h"
 
 namespace nacre {
 

@@ -35,9 +35,9 @@ struct PlannedSwatch {
     std::string name;
     SwatchKind kind = SwatchKind::strip;
     std::string title;
-    std::vector<Job> jobs;  ///< plane, strip, sphere: one; palette: one per pick shown
+    std::vector<Job> jobs;             ///< plane, strip, sphere: one; palette: one per pick shown
     std::vector<PickedColour> picked;  ///< of the material, those that were given as colours
-    std::string display;    ///< empty: the config's default
+    std::string display;               ///< empty: the config's default
     std::string view;
     Gamut gamut = Gamut::compress;  ///< compress or clip: how colours that an sRGB display lacks are shown
     Where where;

@@ -5,8 +5,8 @@
 #include <cstddef>
 #include <vector>
 
-#include "nacre/shade/spectra.h"
 #include "nacre/shade/layered_colour.h"
+#include "nacre/shade/spectra.h"
 
 namespace nacre {
 namespace {

@@ -2,17 +2,17 @@
 
 #include <variant>
 
-#include "nacre/shade/integral.h"
-#include "nacre/material/geometry.h"
-#include "nacre/shade/grating_colour.h"
-#include "nacre/shade/layered_colour.h"
+#include "nacre/colour/colour_types.h"
 #include "nacre/colour/light.h"
+#include "nacre/material/geometry.h"
+#include "nacre/optics/palette.h"
+#include "nacre/shade/grating_colour.h"
+#include "nacre/shade/integral.h"
+#include "nacre/shade/layered_colour.h"
 #include "nacre/shade/measured_colour.h"
 #include "nacre/shade/scatter_colour.h"
 #include "nacre/shade/spectral_sampling.h"
 #include "nacre/shade/work.h"
-#include "nacre/colour/colour_types.h"
-#include "nacre/optics/palette.h"
 
 namespace nacre {
 

@@ -5,14 +5,14 @@
 #include <memory>
 #include <vector>
 
-#include "nacre/material/effects.h"
 #include "nacre/colour/light.h"
-#include "nacre/material/mechanism.h"
-#include "nacre/shade/work.h"
-#include "nacre/colour/xyz_curve.h"
 #include "nacre/colour/spectral_nodes.h"
+#include "nacre/colour/xyz_curve.h"
+#include "nacre/material/effects.h"
+#include "nacre/material/mechanism.h"
 #include "nacre/optics/incidence.h"
 #include "nacre/optics/layer_system.h"
+#include "nacre/shade/work.h"
 
 namespace nacre {
 

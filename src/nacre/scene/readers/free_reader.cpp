@@ -1,5 +1,6 @@
 #include "nacre/scene/readers/free_reader.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <utility>

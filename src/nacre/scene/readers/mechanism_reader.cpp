@@ -35,14 +35,12 @@ constexpr std::array mechanism_readers{
     MechanismReader{
         [](const Table& table, const SceneContext& context) -> Mechanism { return read_crystal(table, context.index); },
         crystal_search},
-    MechanismReader{
-                 [](const Table& table, const SceneContext& context) -> Mechanism {
-                     return read_scatter(table, context.index);
-                 }},
-    MechanismReader{
-                 [](const Table& table, const SceneContext& context) -> Mechanism {
-                     return read_measured(table, context.read_spectra);
-                 }},
+    MechanismReader{[](const Table& table, const SceneContext& context) -> Mechanism {
+        return read_scatter(table, context.index);
+    }},
+    MechanismReader{[](const Table& table, const SceneContext& context) -> Mechanism {
+        return read_measured(table, context.read_spectra);
+    }},
 };
 
 static_assert(mechanism_readers.size() == std::variant_size_v<MechanismModel>, "one row per mechanism");
@@ -88,8 +86,7 @@ Mechanism read_mechanism(const Table& table, const SceneContext& context) {
         return find_mechanism(table, context, std::move(search));
     }
     if (reader.search == nullptr && found != names.begin() && has_picks(table)) {
-        table.fail_at("picks",
-                      "picks mean nothing for " + name + "; known for palette, film, stack, grating, crystal");
+        table.fail_at("picks", "picks mean nothing for " + name + "; known for palette, film, stack, grating, crystal");
     }
     Mechanism mechanism = reader.read(table, context);
     mechanism.effects = read_effects(table, mechanism, context);

@@ -11,6 +11,7 @@
 
 #include "nacre/accuracy/scan.h"
 #include "nacre/lut/formats.h"
+#include "nacre/lut/gamut.h"
 #include "nacre/scene/readers/axis_reader.h"
 #include "nacre/shade/integral.h"
 #include "support/palette_luts.h"

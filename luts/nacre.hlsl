@@ -8,7 +8,7 @@
 //
 // Half-vector form, for a light with a direction (point, spot, sun): the angle on the facet that mirrors L into V.
 //     nacre_fetch(lut, lut_sampler, nacre_sqrt_cos_theta(dot(V, normalize(L + V))))
-// N.V form, for light from the mirror direction (environment map, probe, traced ray), and for a look without lights:
+// N.V form, for light from the mirror direction (environment map, probe, traced ray), and where there is no light:
 //     nacre_fetch(lut, lut_sampler, nacre_sqrt_cos_theta(dot(N, V)))
 // Gratings; t lies across the grooves, p is the part of L + V in the surface, a its angle to t (0 to 90 degrees):
 //     nacre_fetch(lut, lut_sampler, nacre_grating_u(dot(L + V, t)))
@@ -17,7 +17,7 @@
 //     nacre_fetch(lut, lut_sampler, nacre_cos_scatter(dot(-L, V)))
 
 // Where v = 0 is in the LUT. 0: the file's first row (Direct3D, Unreal, Godot, glTexImage2D of the file's rows);
-// 1: the file's last row (three.js, Babylon.js, Blender). LUTs of one row do not care.
+// 1: the file's last row (three.js, Babylon.js, Blender). It makes no difference for a LUT of one row.
 #ifndef NACRE_FLIP_V
 #define NACRE_FLIP_V 0
 #endif
@@ -48,7 +48,7 @@ float nacre_grating_u(float u) {
     return 0.5 * abs(c);
 }
 
-// scattering: the cosine by which light is turned, dot(-L, V)
+// scattering: the cosine of the angle by which light is turned, dot(-L, V)
 float nacre_cos_scatter(float cos_scatter) {
     float c = clamp(cos_scatter, -1.0, 1.0);
     return 0.5 + 0.5 * c;

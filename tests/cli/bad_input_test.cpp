@@ -171,7 +171,7 @@ const std::vector<Mistake> mistakes{
     {"UnknownLutOfASwatch", scene("[swatch.a]\ndraw = \"strip\"\nlut = \"b\"\n"), ""},
     {"UnknownDisplay", scene("[swatch.a]\ndraw = \"strip\"\ndisplay = \"IMAX\"\n"), ""},
     {"IncludeOfNothing", "include = [\"none.toml\"]\n" + scene(""), ""},
-    {"IncludeOfItself", "include = [\"s.toml\"]\n" + scene(""), ":1:11: include of \"s.toml\" leads back to itself"},
+    {"IncludeOfItself", "include = [\"s.toml\"]\n" + scene(""), ":1:11: include of \"s.toml\" includes itself"},
     {"ADate", scene("shape = 1979-05-27\n"), ""},
 };
 

@@ -554,7 +554,7 @@ const std::vector<Mistake> grating_mistakes{
     {"OrdersThatAreNoList", grating + "period_nm = 900\ndepth_nm = 1\norders = 1\n",
      "s.toml:5:10 [material.m]: orders = 1 is a whole number; give an array"},
     {"UnknownCoat", grating + "period_nm = 900\ndepth_nm = 1\ncoat = \"aluminium\"\n",
-     "s.toml:5:8: unknown material \"aluminium\"; known: ag, air, al, al2o3, aragonite, ..., or a file .yml or .csv"},
+     "s.toml:5:8: unknown material \"aluminium\"; known: ag, air, al, al2o3, aragonite, ..., or a .yml or .csv file"},
     {"NegativeGrooveLength", grating + "period_nm = 900\ndepth_nm = 1\ngroove_length_um = -1\n",
      "s.toml:5:20 [material.m]: groove_length_um = -1 is out of range; allowed [0, 1000000] um"},
     {"AzimuthBeyondAll", grating + "period_nm = 900\ndepth_nm = 1\nazimuth_deg = 91\n",
@@ -783,7 +783,7 @@ const std::vector<Mistake> effect_mistakes{
      "s.toml:7:31 [material.m]: unknown key \"depth\"; known: rgb, spectrum, reflectance, pigment, metal, "
      "scattering_per_um, share"},
     {"UnknownMetal", good_film + "base = { metal = \"aluminium\" }\n",
-     "s.toml:7:18: unknown material \"aluminium\"; known: ag, air, al, al2o3, aragonite, ..., or a file .yml or .csv"},
+     "s.toml:7:18: unknown material \"aluminium\"; known: ag, air, al, al2o3, aragonite, ..., or a .yml or .csv file"},
     {"BaseBelowAMetal",
      std::string("mechanism = \"film\"\nindex = 1.5\nthickness_nm = 300\nsubstrate = \"ag\"\n") + "base = 0.5\n",
      "s.toml:6:8 [material.m]: base lies below a substrate that absorbs, k = 5.8, so nothing comes back from it; "

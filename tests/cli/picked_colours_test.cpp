@@ -105,14 +105,15 @@ TEST(PickedColours, ThatNoBandHasAreWarnedOfOrRefused) {
     const std::string purple = picks + "colour = \"#c030c0\" }, { angle_deg = 40, colour = \"#22cc22\" } ]\n";
     const Plan plan = plan_of(purple);
     ASSERT_EQ(plan.warnings.size(), 1u);
-    EXPECT_EQ(plan.warnings[0].find("s.toml:2:37 [material.m]: picks[0], #c030c0: the nearest band is CIEDE2000 "), 0u)
+    EXPECT_EQ(
+        plan.warnings[0].find("s.toml:2:37 [material.m]: picks[0], #c030c0: the nearest band misses by CIEDE2000 "), 0u)
         << plan.warnings[0];
-    EXPECT_NE(plan.warnings[0].find("no single band has that chromaticity"), std::string::npos);
+    EXPECT_NE(plan.warnings[0].find("no single band has this chromaticity"), std::string::npos);
     EXPECT_THROW(plan_of(purple, {{}, false, true}), Error);
-    for (const auto& [colour, why] : {std::pair{"[0.1, 1.3, 0.1]", "no band that reflects so much is so saturated"},
-                                      {"[0.2, 1.8, 0.1]", "nothing reflects more than all light"},
-                                      {"[2, 2, 2]", "nothing reflects more than all light"},
-                                      {"[-1, -1, -1]", "it is darker than black"}}) {
+    for (const auto& [colour, why] : {std::pair{"[0.1, 1.3, 0.1]", "no band that is so bright is so saturated"},
+                                      {"[0.2, 1.8, 0.1]", "no surface reflects more light than it receives"},
+                                      {"[2, 2, 2]", "no surface reflects more light than it receives"},
+                                      {"[-1, -1, -1]", "the colour is darker than black"}}) {
         const Plan missed = plan_of(picks + "colour = " + colour +
                                     ", space = \"lin_rec709\" }, { angle_deg = 40, colour = \"#22cc22\" } ]\n");
         ASSERT_EQ(missed.warnings.size(), 1u);
@@ -143,22 +144,21 @@ TEST_P(BadPick, IsOneLineThatSaysWhereAndWhat) {
 
 INSTANTIATE_TEST_SUITE_P(
     Mistakes, BadPick,
-    testing::Values(Mistake{"NoHex", "colour = \"#12g\"",
-                            "28 [material.m]: colour = \"#12g\" is none; give \"#rrggbb\", \"#rgb\" or [r, g, b]"},
-                    Mistake{"AName", "colour = \"red\"",
-                            "28 [material.m]: colour = \"red\" is none; give \"#rrggbb\", \"#rgb\" or [r, g, b]"},
-                    Mistake{"TwoComponents", "colour = [1, 2]",
-                            "28 [material.m]: colour has 2 components; allowed are 3: [r, g, b]"},
-                    Mistake{"NaN", "colour = [0.1, nan, 0.2]",
-                            "34 [material.m]: colour = nan is not a finite number; allowed [-65504, 65504]"},
-                    Mistake{"ANumber", "colour = 7", "28 [material.m]: colour = 7 is"},
-                    Mistake{"Both", "colour = \"#222\", peak_nm = 400",
-                            "46 [material.m]: peak_nm and colour both say what is seen; leave one of them out"},
-                    Mistake{
-                        "SpaceAlone", "space = \"lin_rec709\"",
-                        "27 [material.m]: space is that of a colour, and the pick has none; give colour = [r, g, b]"},
-                    Mistake{"UnknownSpace", "colour = [0, 1, 0], space = \"lin_rec907\"", "28: colour"},
-                    Mistake{"DataSpace", "colour = [0, 1, 0], space = \"Raw\"", "28: colour"}),
+    testing::Values(
+        Mistake{"NoHex", "colour = \"#12g\"",
+                "28 [material.m]: colour = \"#12g\" is not a colour; give \"#rrggbb\", \"#rgb\" or [r, g, b]"},
+        Mistake{"AName", "colour = \"red\"",
+                "28 [material.m]: colour = \"red\" is not a colour; give \"#rrggbb\", \"#rgb\" or [r, g, b]"},
+        Mistake{"TwoComponents", "colour = [1, 2]", "28 [material.m]: colour has 2 components; give 3: [r, g, b]"},
+        Mistake{"NaN", "colour = [0.1, nan, 0.2]",
+                "34 [material.m]: colour = nan is not a finite number; allowed [-65504, 65504]"},
+        Mistake{"ANumber", "colour = 7", "28 [material.m]: colour = 7 is"},
+        Mistake{"Both", "colour = \"#222\", peak_nm = 400",
+                "46 [material.m]: peak_nm and colour both say what is seen; remove one of them"},
+        Mistake{"SpaceAlone", "space = \"lin_rec709\"",
+                "27 [material.m]: space belongs to a colour, and the pick has none; give colour = [r, g, b]"},
+        Mistake{"UnknownSpace", "colour = [0, 1, 0], space = \"lin_rec907\"", "28: colour"},
+        Mistake{"DataSpace", "colour = [0, 1, 0], space = \"Raw\"", "28: colour"}),
     [](const auto& mistake) { return std::string(mistake.param.name); });
 
 TEST(PickedColours, StandInThePlanTheHeaderAndTheManifest) {
@@ -169,7 +169,7 @@ TEST(PickedColours, StandInThePlanTheHeaderAndTheManifest) {
     const ProgramResult plan = run_nacre({"plan", "s.toml"}, here);
     EXPECT_EQ(plan.exit_code, 0) << plan.err;
     EXPECT_NE(plan.out.find("m: #2c2 at 0 deg is the band peak_nm = "), std::string::npos) << plan.out;
-    EXPECT_NE(plan.err.find("picks[1], #c030c0: the nearest band is CIEDE2000 "), std::string::npos) << plan.err;
+    EXPECT_NE(plan.err.find("picks[1], #c030c0: the nearest band misses by CIEDE2000 "), std::string::npos) << plan.err;
     const ProgramResult refused = run_nacre({"bake", "s.toml", "--strict", "-o", "out"}, here);
     EXPECT_EQ(refused.exit_code, 2);
     EXPECT_EQ(std::count(refused.err.begin(), refused.err.end(), '\n'), 1) << refused.err;
@@ -294,7 +294,8 @@ TEST(Pick, SaysInOneLineWhatIsWrong) {
               "nacre: #fff@91: the angle is out of range; allowed [0, 90] degrees\n");
     EXPECT_EQ(message_of({"#fff@x", "#fff@3"}),
               "nacre: #fff@x: \"x\" is no angle; give COLOUR@ANGLE, as in \"#22cc66@0\"\n");
-    EXPECT_NE(message_of({"#f0f@0", "#2c2@3", "--strict"}).find("nacre: #f0f at 0 deg: the nearest band is CIEDE2000 "),
+    EXPECT_NE(message_of({"#f0f@0", "#2c2@3", "--strict"})
+                  .find("nacre: #f0f at 0 deg: the nearest band misses by CIEDE2000 "),
               std::string::npos);
     EXPECT_NE(message_of({"#2f2@0", "#2c2@0"}).find("different colours at one angle"), std::string::npos);
     EXPECT_NE(message_of({"#2f2@0", "#2c2@9", "--space", "lin_rec907"}).find("lin_rec907"), std::string::npos);

@@ -130,7 +130,7 @@ void OutputFolder::make_durable(const std::vector<Pending>& files) const {
 void OutputFolder::read_back(const Pending& file) const {
     const auto bytes = read_all(descriptor_, file.temporary);
     if (!bytes || bytes->size() != file.size || hash_of(*bytes) != file.hash) {
-        throw IoError(full_path(file.name) + ": the disk does not give back what was written; is it full?");
+        throw IoError(full_path(file.name) + ": the file does not read back as it was written; is the disk full?");
     }
 }
 
@@ -152,7 +152,7 @@ void OutputFolder::commit() {
     struct stat there {};
     if (::fstat(descriptor_, &here) != 0 || ::stat(path_.c_str(), &there) != 0 || here.st_ino != there.st_ino ||
         here.st_dev != there.st_dev) {
-        throw IoError(path_ + ": the folder has vanished while its files were written");
+        throw IoError(path_ + ": the folder disappeared while its files were written");
     }
 }
 

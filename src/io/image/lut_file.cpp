@@ -58,7 +58,8 @@ std::string contract_breach(OIIO::ImageInput& input) {
         spec.full_height != spec.height) {
         return "the data window is not the display window at (0, 0)";
     }
-    if (spec.format != OIIO::TypeDesc::HALF && spec.format != OIIO::TypeDesc::FLOAT) return "the numbers are no floats";
+    if (spec.format != OIIO::TypeDesc::HALF && spec.format != OIIO::TypeDesc::FLOAT)
+        return "the numbers are not floats";
     if (input.seek_subimage(1, 0)) return "the file has several parts; a LUT has one";
     input.seek_subimage(0, 0);
     return {};
@@ -122,7 +123,7 @@ StoredLut read_lut(const std::string& path) {
     if (!input) throw IoError(path + ": cannot be read: " + OIIO::geterror());
     const OIIO::ImageSpec spec = input->spec();
     if (std::string_view(input->format_name()) != "openexr")
-        throw Error(path + ": is no EXR file; nacre writes LUTs as EXR");
+        throw Error(path + ": is not an EXR file; nacre writes LUTs as EXR");
     if (spec.nchannels != 3 || spec.width < 1 || spec.height < 1 || spec.width > largest_stored_side ||
         spec.height > largest_stored_side) {
         throw Error(path + ": has " + std::to_string(spec.nchannels) + " channels and " + std::to_string(spec.width) +

@@ -91,7 +91,7 @@ std::vector<Letter> letters_of(std::string_view utf8) {
 TextFace::TextFace(std::string file) : file_(std::move(file)) {
     if (!OIIO::ImageBufAlgo::text_size("0", 16, file_).defined()) {
         throw IoError(file_ +
-                      ": not a font that OpenImageIO can draw with; install the Debian package fonts-dejavu-core " +
+                      ": is not a font that OpenImageIO can draw with; install the Debian package fonts-dejavu-core " +
                       "(DejaVuSans.ttf)");
     }
 }

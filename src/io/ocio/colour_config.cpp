@@ -112,10 +112,10 @@ std::string resolve_view(const OpenedConfig& opened, const std::string& display,
         if (other && !other->isData()) usable.push_back(name);
     }
     throw Error(where + ": " +
-                (space ? "view " + in_quotes(wanted) + " shows data unconverted on"
+                (space ? "view " + in_quotes(wanted) + " shows data without conversion on"
                        : "unknown view " + in_quotes(wanted) + " of") +
                 " display " + in_quotes(display) + " in config " + in_quotes(opened.description) +
-                (usable.empty() ? "; it has no view that converts" : "; known: " + comma_separated(usable)));
+                (usable.empty() ? "; it has no view that converts colours" : "; known: " + comma_separated(usable)));
 }
 
 // Role scene_linear is where most configs do their work: a wrong entrance shows there when no well-known name does.

@@ -207,7 +207,7 @@ void check_neutral(const OpenedConfig& opened, const Entrance& entrance, const C
         // The entrance is beyond doubt once a well-known space behind it is right: then it is the target.
         if (entrance.confirmed) {
             throw Error(where + ": " + what + " of config " + in_quotes(opened.description) +
-                        "; only spaces in which white is neutral are allowed");
+                        "; the space must keep white neutral");
         }
         throw Error(where + ": " + entrance.how + " of config " + in_quotes(opened.description) + " is wrong: by it " +
                     what + advice());

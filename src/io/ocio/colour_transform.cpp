@@ -51,13 +51,13 @@ ColourTransform ColourTransform::from_ctf(const std::string& text, const std::st
     if (text.size() > longest) throw Error(where + ": the OCIO transform is longer than 64 MiB; that is the limit");
     // OpenColorIO's reader knows several formats by content; only this one carries everything inside itself.
     if (text.find("<ProcessList") == std::string::npos) {
-        throw Error(where + ": the OCIO transform is no CTF; it must be a ProcessList");
+        throw Error(where + ": the OCIO transform is not a CTF; it must be a ProcessList");
     }
     // OpenColorIO does not tell upper from lower case, and a document type could hide a Reference in an entity.
     std::string lower = text;
     for (char& c : lower) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
     if (lower.find("reference") != std::string::npos || lower.find("<!doctype") != std::string::npos) {
-        throw Error(where + ": the OCIO transform refers to other files; it must carry everything itself");
+        throw Error(where + ": the OCIO transform refers to other files; it must contain everything itself");
     }
     auto impl = std::make_shared<Impl>();
     impl->conversion = read_ctf(text, where);

@@ -21,7 +21,7 @@ public:
         // OpenColorIO caches files by name, for ever: the content is part of it.
         path_ = (folder / ("nacre-" + hash_text(text) + "-XXXXXX.ctf")).string();
         const int file = failure ? -1 : mkstemps(path_.data(), 4);
-        if (file < 0) throw IoError(where + ": cannot make a temporary file in the folder for such; is $TMPDIR right?");
+        if (file < 0) throw IoError(where + ": cannot make a temporary file; is $TMPDIR right?");
         std::size_t written = 0;
         while (written < text.size()) {
             const ssize_t n = ::write(file, text.data() + written, text.size() - written);

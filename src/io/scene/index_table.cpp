@@ -43,7 +43,8 @@ void check(const IndexTable& table, const IndexRow& row, const std::string& file
     }
     if (table.gives_k && !(row.k >= 0.0)) {
         fail(file, row.line,
-             "k = " + number_text(row.k) + " at " + nm_text(row.wavelength_nm) + " is gain; allowed: 0 or more");
+             "k = " + number_text(row.k) + " at " + nm_text(row.wavelength_nm) +
+                 " is negative, which would be gain; allowed: 0 or more");
     }
 }
 
@@ -59,7 +60,7 @@ bool repeats(const IndexTable& table, const IndexRow& row, const IndexRow& befor
     if (row.wavelength_nm != before.wavelength_nm) return false;
     if (row.n != before.n || row.k != before.k) {
         fail(file, row.line,
-             nm_text(row.wavelength_nm) + " is there twice, with " + values_text(table, row) + " and in line " +
+             nm_text(row.wavelength_nm) + " is given twice, with " + values_text(table, row) + " and in line " +
                  std::to_string(before.line) + " with " + values_text(table, before) + "; give it once");
     }
     return true;
@@ -74,7 +75,8 @@ void refuse_decimal_commas(const std::string& path) {
         rest.remove_prefix(std::min(content.size() + 1, rest.size()));
         if (content.starts_with('#') || content.find(',') == std::string_view::npos) continue;
         if (content.find_first_of(";\t") != std::string_view::npos)
-            fail(path, line, "has two kinds of separators; decimals have a point, columns one kind of separator");
+            fail(path, line,
+                 "has two kinds of separators; write decimals with a point, and separate the columns in one way");
     }
 }
 
@@ -87,7 +89,7 @@ IndexRow csv_row(const std::string& path, const CsvRow& row, std::size_t columns
     if (row.fields.size() != columns) {
         fail(path, row.line,
              "has " + std::to_string(row.fields.size()) + " columns, the first row has " + std::to_string(columns) +
-                 "; every row has the same");
+                 "; every row must have the same number");
     }
     return {row.line, csv_number(path, row, 0), csv_number(path, row, 1), columns > 2 ? csv_number(path, row, 2) : 0.0};
 }

@@ -187,7 +187,7 @@ const Block* only_one(std::span<const Block> blocks, bool Block::*gives, char wh
         if (!found || (what == 'n' && is_superseded(*found, block))) {
             found = &block;
         } else if (what != 'n' || !is_superseded(block, *found)) {
-            fail(file, block.line, std::string("gives ") + what + " a second time; give it once");
+            fail(file, block.line, std::string("gives ") + what + " twice; give it once");
         }
     }
     return found;
@@ -248,7 +248,7 @@ IndexCurve read_material_file(const std::string& path) {
     if (extension == ".csv") return read_csv_material(path);
     if (extension == ".yml" || extension == ".yaml")
         return parse_material_yaml(read_text_file(path, largest_yaml_bytes), path);
-    throw Error(path + ": ends in none of .yml, .yaml and .csv; allowed: one of them");
+    throw Error(path + ": is not a .yml, .yaml or .csv file; give one of these");
 }
 
 }  // namespace nacre

@@ -57,7 +57,7 @@ private:
         const Where where = where_of(node.source(), file_);
         if (depth > deepest_nesting) {
             throw Error(where.text() + ": nested deeper than " + std::to_string(deepest_nesting) +
-                        " levels; no scene needs that");
+                        " levels; a scene is never so deep");
         }
         if (const auto* value = node.as_boolean()) return {value->get(), where};
         if (const auto* value = node.as_integer()) return {value->get(), where};
@@ -112,7 +112,7 @@ void check_dotted_keys(const std::string& text, const std::string& name) {
         if (c == '\n' || c == '=' || c == ',' || c == '{') dots = 0;
         if (c == '.' && ++dots > most_dots) {
             throw Error(Where{name, line, 0}.text() + ": more than " + std::to_string(most_dots) +
-                        " dots in a row of names; no scene is nested so deeply");
+                        " dots in a row of names; a scene is never so deep");
         }
     }
 }
@@ -142,7 +142,7 @@ Table read(const std::string& path, std::vector<std::filesystem::path>& open_fil
         const auto canonical = std::filesystem::weakly_canonical(file, ignored);
         for (const auto& open_file : open_files) {
             if (open_file == canonical)
-                table.fail(includes->where, "include of " + in_quotes(included) + " leads back to itself");
+                table.fail(includes->where, "include of " + in_quotes(included) + " includes itself");
         }
         if (open_files.size() >= deepest_include) {
             table.fail(includes->where, "include is nested deeper than " + std::to_string(deepest_include) + " files");

@@ -105,7 +105,7 @@ std::shared_ptr<const IndexCurve> find_material(const std::string& name, const s
     }
     if (auto material = shipped_material(name)) return material;
     throw Error(where + ": unknown material " + in_quotes(name) +
-                "; known: " + known_like(name, shipped_material_names()) + ", or a file .yml or .csv");
+                "; known: " + known_like(name, shipped_material_names()) + ", or a .yml or .csv file");
 }
 
 }  // namespace nacre

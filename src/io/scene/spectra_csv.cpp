@@ -54,7 +54,7 @@ double read_angle(const Source& source, std::size_t column) {
     double angle_deg = 0.0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), angle_deg);
     if (text.empty() || error != std::errc() || end != text.data() + text.size())
-        source.fail(column, "heading " + in_quotes(heading) + " is no angle; give degrees, as 15");
+        source.fail(column, "heading " + in_quotes(heading) + " is not an angle; give degrees, such as 15");
     // Written so that NaN fails too.
     if (!(angle_deg >= 0.0 && angle_deg <= 90.0))
         source.fail(column, "angle " + std::string(text) + " is out of range; allowed [0, 90] degrees");
@@ -75,7 +75,8 @@ std::vector<double> read_angles(const Source& source) {
         angles_deg.push_back(angle_deg);
     }
     if (angles_deg.empty())
-        source.fail(0, "the heading has no angle; give one or more, as " + std::string(wavelength_heading) + ",0,45");
+        source.fail(0,
+                    "the heading has no angle; give one or more, such as " + std::string(wavelength_heading) + ",0,45");
     return angles_deg;
 }
 

@@ -87,7 +87,7 @@ private:
     void begin_entry(const YAML::Mark& mark, const std::string& key) {
         auto& keys = open_.back()->keys;
         if (std::find(keys.begin(), keys.end(), key) != keys.end())
-            fail(mark, "the key " + in_quotes(printable(key)) + " is there twice; give it once");
+            fail(mark, "the key " + in_quotes(printable(key)) + " is given twice; give it once");
         keys.push_back(key);
         has_key_ = true;
         key_line_ = mark.line + 1;
@@ -100,7 +100,8 @@ private:
         YamlNode* node = &root_;
         if (!open_.empty()) {
             YamlNode& parent = *open_.back();
-            if (parent.kind == YamlNode::Kind::map && !has_key_) fail(mark, "a key is not a word; allowed: words");
+            if (parent.kind == YamlNode::Kind::map && !has_key_)
+                fail(mark, "a key is not a word; a key must be a word");
             parent.items.emplace_back();
             node = &parent.items.back();
         }
@@ -140,7 +141,7 @@ YamlNode parse_yaml(std::string_view text, const std::string& name) {
     if (text.starts_with(byte_order_mark)) text.remove_prefix(byte_order_mark.size());
     if (const std::size_t zero = text.find('\0'); zero != std::string_view::npos) {
         const auto line = 1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(zero), '\n');
-        throw Error(name + ":" + std::to_string(line) + ": has a zero byte; allowed: text in UTF-8");
+        throw Error(name + ":" + std::to_string(line) + ": has a zero byte; the file must be text in UTF-8");
     }
     const std::string plain = plain_text(text);
     TreeBuilder builder(plain, name);
@@ -151,7 +152,7 @@ YamlNode parse_yaml(std::string_view text, const std::string& name) {
         }
     } catch (const YAML::Exception& error) {
         const std::string where = error.mark.is_null() ? name : name + ":" + std::to_string(error.mark.line + 1);
-        throw Error(where + ": is no YAML: " + printable(error.msg));
+        throw Error(where + ": is not YAML: " + printable(error.msg));
     }
     return builder.take();
 }

@@ -72,8 +72,8 @@ constexpr std::array<AxisKind, 5> kinds{{
      "1.2732395447 * atan(sqrt((1.0 - c) / (1.0 + c)))"},
     {"grating_u", Quantity::grating_u, "gratings: dot(L + V, t), t the direction across the grooves; either sign", "u",
      -2.0, 2.0, half, twice, from_half_u, "0.5 * abs(c)"},
-    {"cos_scatter", Quantity::cos_scatter, "scattering: the cosine by which light is turned, dot(-L, V)", "cos_scatter",
-     -1.0, 1.0, raised, lowered, from_raised, "0.5 + 0.5 * c"},
+    {"cos_scatter", Quantity::cos_scatter, "scattering: the cosine of the angle by which light is turned, dot(-L, V)",
+     "cos_scatter", -1.0, 1.0, raised, lowered, from_raised, "0.5 + 0.5 * c"},
 }};
 
 }  // namespace

@@ -64,7 +64,7 @@ constexpr std::string_view head = R"(// SPDX-License-Identifier: Apache-2.0
 //
 // Half-vector form, for a light with a direction (point, spot, sun): the angle on the facet that mirrors L into V.
 //     nacre_fetch({lut}, nacre_{default}(dot(V, normalize(L + V))))
-// N.V form, for light from the mirror direction (environment map, probe, traced ray), and for a look without lights:
+// N.V form, for light from the mirror direction (environment map, probe, traced ray), and where there is no light:
 //     nacre_fetch({lut}, nacre_{default}(dot(N, V)))
 // Gratings; t lies across the grooves, p is the part of L + V in the surface, a its angle to t (0 to 90 degrees):
 //     nacre_fetch({lut}, nacre_{grating}(dot(L + V, t)))
@@ -73,7 +73,7 @@ constexpr std::string_view head = R"(// SPDX-License-Identifier: Apache-2.0
 //     nacre_fetch({lut}, nacre_{scatter}(dot(-L, V)))
 
 // Where v = 0 is in the LUT. 0: the file's first row (Direct3D, Unreal, Godot, glTexImage2D of the file's rows);
-// 1: the file's last row (three.js, Babylon.js, Blender). LUTs of one row do not care.
+// 1: the file's last row (three.js, Babylon.js, Blender). It makes no difference for a LUT of one row.
 #ifndef NACRE_FLIP_V
 #define NACRE_FLIP_V 0
 #endif

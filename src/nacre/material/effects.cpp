@@ -173,16 +173,16 @@ void remove_size_spread(Mechanism& mechanism, double) {
 
 constexpr std::array<EffectRow, effect_count> rows{{
     {Effect::dispersion, "dispersion", "indices that depend on the wavelength", has_dispersion, remove_dispersion},
-    {Effect::absorption, "absorption", "layers or particles that take light", has_absorption, remove_absorption},
-    {Effect::polarisation, "polarisation", "s and p computed apart and averaged", has_two_polarisations,
+    {Effect::absorption, "absorption", "layers or particles that absorb light", has_absorption, remove_absorption},
+    {Effect::polarisation, "polarisation", "s and p computed separately and averaged", has_two_polarisations,
      remove_polarisation},
-    {Effect::incoherent_layers, "incoherent_layers", "thick layers, and what comes back from below them",
-     has_incoherent_layers, remove_incoherent_layers},
-    {Effect::thickness_spread, "thickness_spread", "the mean over uneven thicknesses", has_thickness_spread,
+    {Effect::incoherent_layers, "incoherent_layers", "layers too thick for interference", has_incoherent_layers,
+     remove_incoherent_layers},
+    {Effect::thickness_spread, "thickness_spread", "the mean over random thicknesses", has_thickness_spread,
      remove_thickness_spread},
-    {Effect::base, "base", "what lies below, through the layers and back", has_base, remove_base},
+    {Effect::base, "base", "light from below the layers", has_base, remove_base},
     {Effect::tilt, "tilt", "the mean over facets", has_tilt, remove_tilt},
-    {Effect::higher_orders, "higher_orders", "diffraction orders beyond the first that counts", has_higher_orders,
+    {Effect::higher_orders, "higher_orders", "diffraction orders beyond the first", has_higher_orders,
      remove_higher_orders},
     {Effect::size_spread, "size_spread", "the mean over radii", has_size_spread, remove_size_spread},
 }};

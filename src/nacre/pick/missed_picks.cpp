@@ -15,7 +15,8 @@ std::vector<MissedPick> missed_picks(const std::vector<PickedColour>& picks) {
     const auto worst = std::max_element(missed.begin(), missed.end(), [](const MissedPick& a, const MissedPick& b) {
         return a.picked.de00 < b.picked.de00;
     });
-    return {{worst->picked, worst->text + "; " + std::to_string(missed.size() - 1) + " more picks are not met either"}};
+    return {
+        {worst->picked, worst->text + "; " + std::to_string(missed.size() - 1) + " more picks are not matched either"}};
 }
 
 }  // namespace nacre

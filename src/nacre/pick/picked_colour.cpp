@@ -12,47 +12,46 @@ namespace {
 
 constexpr double all_light = 1.0001;  // as Y, and rounding
 
-// Why no structure shows a colour, where physics says so at once.
-std::string reason(const PickedColour& picked) {
+// Why no structure shows a colour, where physics says so at once; else what may come closer.
+std::string advice(const PickedColour& picked) {
     constexpr double grazing_deg = 89.99;
     if (picked.mechanism == "grating") {
         if (picked.angle_deg == 0.0)
-            return "nothing but the mirror's order 0 comes straight back, and that does not count";
+            return ", because only order 0, the mirror reflection, goes straight back, and it does not count";
     } else if (picked.angle_deg >= grazing_deg) {
-        return "at 90 degrees every face reflects all light: it is white";
+        return ", because at 90 degrees every surface reflects all light and is white";
     } else if (picked.colour.y > all_light) {
-        return "nothing reflects more than all light";
+        return ", because no surface reflects more light than it receives";
     }
-    return "no " + picked.mechanism + " was found that comes nearer, all picks together";
+    return picked.mechanism == "film" ? "; a stack may come closer (mechanism = \"stack\")" : "";
 }
 
 }  // namespace
 
 std::string match_text(const PickedColour& picked) {
-    std::string away = "CIEDE2000 " + significant_text(picked.de00, 3) + " away";
+    const std::string error = "misses by CIEDE2000 " + significant_text(picked.de00, 3);
     if (!picked.lobe) {
         if (picked.is_met()) return "met, CIEDE2000 " + significant_text(picked.de00, 2);
-        if (!picked.is_searched) return away;
-        return away + ", because " + reason(picked);
+        return picked.is_searched ? error + advice(picked) : error;
     }
     if (picked.lobe->miss != LobeMiss::none) {
-        if (picked.colour.y < 0.0) return away + ", because it is darker than black";
-        if (picked.colour.y > all_light) return away + ", because nothing reflects more than all light";
+        if (picked.colour.y < 0.0) return error + ", because the colour is darker than black";
+        if (picked.colour.y > all_light) return error + ", because no surface reflects more light than it receives";
     }
     switch (picked.lobe->miss) {
         case LobeMiss::none:
             return "exact";
         case LobeMiss::bright:
-            return away + ", because no band that reflects so much is so saturated";
+            return error + ", because no band that is so bright is so saturated";
         case LobeMiss::saturated:
-            return away +
-                   ", because no single band has that chromaticity (purples have none, nor has much that is pale)";
+            return error + ", because no single band has this chromaticity (as with purples and many pale colours)";
     }
     return {};
 }
 
 std::string miss_text(const PickedColour& picked) {
-    return (picked.is_searched ? "the nearest " : "this ") + picked.mechanism + " is " + match_text(picked);
+    if (!picked.is_searched) return "this " + picked.mechanism + " " + match_text(picked);
+    return (picked.lobe ? "the nearest band " : "the best " + picked.mechanism + " found ") + match_text(picked);
 }
 
 std::string picked_text(const std::vector<PickedColour>& picked) {

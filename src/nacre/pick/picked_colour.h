@@ -35,10 +35,10 @@ struct PickedColour {
 /// A film, stack, grating or crystal that comes so near to a picked colour has it.
 inline constexpr double met_de00 = 0.5;
 
-/// "exact", "met, CIEDE2000 0.03", or how far away the nearest is and why.
+/// "exact", "met, CIEDE2000 0.03", or "misses by CIEDE2000 4.7, because ..."
 std::string match_text(const PickedColour& picked);
 
-/// Of one that is not met: "the nearest film is CIEDE2000 4.7 away, because ...".
+/// For a pick that is not met: "the best film found misses by CIEDE2000 4.7, because ..."
 std::string miss_text(const PickedColour& picked);
 
 /// The colours of a material as the user wrote them, and what they became: "#3a6fd0 at 0 deg: exact; ...".

@@ -129,9 +129,10 @@ TEST(SwatchPng, AFontThatIsNoneIsAnErrorInOneLine) {
         encode_swatch_png(empty_picture(), grey, {"/nowhere/DejaVuSans.ttf"});
         FAIL();
     } catch (const IoError& error) {
-        EXPECT_STREQ(error.what(),
-                     "/nowhere/DejaVuSans.ttf: not a font that OpenImageIO can draw with; install the Debian package "
-                     "fonts-dejavu-core (DejaVuSans.ttf)");
+        EXPECT_STREQ(
+            error.what(),
+            "/nowhere/DejaVuSans.ttf: is not a font that OpenImageIO can draw with; install the Debian package "
+            "fonts-dejavu-core (DejaVuSans.ttf)");
     }
 }
 
@@ -252,7 +253,7 @@ TEST_F(SwatchFolder, WithoutAFontTheErrorNamesThePackage) {
         FAIL();
     } catch (const IoError& error) {
         EXPECT_STREQ(error.what(),
-                     "swatches need a font and none was found; install the Debian package fonts-dejavu-core "
+                     "swatches need a font, and nacre found none; install the Debian package fonts-dejavu-core "
                      "(DejaVuSans.ttf), or Liberation Sans or Noto Sans");
     }
 }

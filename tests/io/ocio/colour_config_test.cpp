@@ -249,8 +249,8 @@ TEST(ThirdPartyConfigs, AViewAppliesItsToneMapAndStatesTheEncodingOfTheDisplay) 
 
 TEST(ThirdPartyConfigs, AConfigWithNothingButDataViewsHasNoSwatches) {
     EXPECT_EQ(message_of([] { opened("cif-core-renderer-1.1.0/config.ocio").to_display("", "", where); }),
-              "scene.toml:4: view \"Raw\" shows data unconverted on display \"Raw\" in config "
-              "\"config.ocio (core-renderer-config-v1.1.0)\"; it has no view that converts");
+              "scene.toml:4: view \"Raw\" shows data without conversion on display \"Raw\" in config "
+              "\"config.ocio (core-renderer-config-v1.1.0)\"; it has no view that converts colours");
 }
 
 TEST(Entrance, AcesRoleThatNamesAnotherSpaceIsFoundByASaturatedColour) {
@@ -366,9 +366,10 @@ TEST(Targets, UnknownNamesAreAnsweredWithTheNearest) {
 TEST(Targets, DataIsNoColour) {
     EXPECT_EQ(message_of([] { builtin().to_colour_space("data", where); }),
               "scene.toml:4: \"Raw\" is a data space of config \"nacre (built in)\"; a colour space is needed");
-    EXPECT_EQ(message_of([] { builtin().to_display("sRGB", "Raw", where); }),
-              "scene.toml:4: view \"Raw\" shows data unconverted on display \"sRGB\" in config \"nacre (built in)\"; "
-              "known: Standard");
+    EXPECT_EQ(
+        message_of([] { builtin().to_display("sRGB", "Raw", where); }),
+        "scene.toml:4: view \"Raw\" shows data without conversion on display \"sRGB\" in config \"nacre (built in)\"; "
+        "known: Standard");
 }
 
 TEST(Targets, ConfigWithoutDisplaysHasNoSwatches) {
@@ -452,13 +453,13 @@ TEST(Ctf, HostileTextIsRefused) {
     const auto message = [](const std::string& text) {
         return message_of([&] { ColourTransform::from_ctf(text, "x", "a.exr"); });
     };
-    EXPECT_EQ(message("hello"), "a.exr: the OCIO transform is no CTF; it must be a ProcessList");
+    EXPECT_EQ(message("hello"), "a.exr: the OCIO transform is not a CTF; it must be a ProcessList");
     EXPECT_EQ(message("<ProcessList version=\"1.3\"><Reference path=\"/etc/passwd\"/></ProcessList>"),
-              "a.exr: the OCIO transform refers to other files; it must carry everything itself");
+              "a.exr: the OCIO transform refers to other files; it must contain everything itself");
     EXPECT_EQ(message("<ProcessList version=\"1.3\"><rEFERENCE path=\"/etc/passwd\"/></ProcessList>"),
-              "a.exr: the OCIO transform refers to other files; it must carry everything itself");
+              "a.exr: the OCIO transform refers to other files; it must contain everything itself");
     EXPECT_EQ(message("<!DOCTYPE x [<!ENTITY r \"y\">]><ProcessList/>"),
-              "a.exr: the OCIO transform refers to other files; it must carry everything itself");
+              "a.exr: the OCIO transform refers to other files; it must contain everything itself");
     const std::string cut = builtin().to_colour_space("lin_rec709", where).to_ctf().substr(0, 200);
     const std::string answer = message(cut);
     EXPECT_EQ(answer.substr(0, 41), "a.exr: OpenColorIO refuses the transform:");

@@ -140,8 +140,9 @@ TEST(MaterialFile, SaysWhatIsWrongWithARowAndInWhichLine) {
     };
     EXPECT_EQ(
         row("0.4 1.6 0.3"),
-        "some/x.yml:5: 400 nm is there twice, with n = 1.6, k = 0.3 and in line 4 with n = 1.6, k = 0.2; give it once");
-    EXPECT_EQ(row("0.43 1.6 -0.01"), "some/x.yml:5: k = -0.01 at 430 nm is gain; allowed: 0 or more");
+        "some/x.yml:5: 400 nm is given twice, with n = 1.6, k = 0.3 and in line 4 with n = 1.6, k = 0.2; give it once");
+    EXPECT_EQ(row("0.43 1.6 -0.01"),
+              "some/x.yml:5: k = -0.01 at 430 nm is negative, which would be gain; allowed: 0 or more");
     EXPECT_EQ(row("0.43 0 0"), "some/x.yml:5: n = 0 at 430 nm is not above 0; allowed: above 0");
     EXPECT_EQ(row("0 1.5 0"), "some/x.yml:5: wavelength 0 nm is not above 0; allowed: above 0");
     EXPECT_EQ(row("0.43 1,5 0"), "some/x.yml:5: \"1,5\" is not a finite number");
@@ -213,13 +214,12 @@ TEST(MaterialFile, SaysWhatIsWrongWithTheWhole) {
     EXPECT_EQ(yaml_message("A: 1\nDATA:\n"), "some/x.yml:2: DATA must be a list of one block or more" + what);
     EXPECT_EQ(yaml_message("DATA: []\n"), "some/x.yml:1: DATA must be a list of one block or more" + what);
     EXPECT_EQ(yaml_message("DATA:\n" + k_block), "some/x.yml:2: gives k only; n is needed too");
-    EXPECT_EQ(yaml_message(formula_block + formula_block.substr(6)),
-              "some/x.yml:5: gives n a second time; give it once");
-    EXPECT_EQ(yaml_message(formula_block + k_block + k_block), "some/x.yml:9: gives k a second time; give it once");
+    EXPECT_EQ(yaml_message(formula_block + formula_block.substr(6)), "some/x.yml:5: gives n twice; give it once");
+    EXPECT_EQ(yaml_message(formula_block + k_block + k_block), "some/x.yml:9: gives k twice; give it once");
     EXPECT_EQ(yaml_message(formula_block + "  - type: tabulated k\n    data: |\n      1 0.1\n      2 0.2\n"),
               "some/x.yml:2: n is known from 300 to 1000 nm and k from 1000 to 2000 nm; they must overlap");
     EXPECT_EQ(yaml_message(formula_block + formula_block),
-              "some/x.yml:5: the key \"DATA\" is there twice; give it once");
+              "some/x.yml:5: the key \"DATA\" is given twice; give it once");
     EXPECT_EQ(yaml_message(formula_block + "---\nDATA: 1\n"), "some/x.yml:5: a second document begins; a file has one");
 }
 
@@ -229,8 +229,8 @@ TEST(MaterialFile, EndsHostileTextWithOneLine) {
         for (int i = 0; i < times; ++i) result += text;
         return result;
     };
-    EXPECT_EQ(yaml_message("a: [1, 2\n"), "some/x.yml:2: is no YAML: end of sequence flow not found");
-    EXPECT_EQ(yaml_message("DATA: |\n  a\n b: c: d\n"), "some/x.yml:3: is no YAML: end of map not found");
+    EXPECT_EQ(yaml_message("a: [1, 2\n"), "some/x.yml:2: is not YAML: end of sequence flow not found");
+    EXPECT_EQ(yaml_message("DATA: |\n  a\n b: c: d\n"), "some/x.yml:3: is not YAML: end of map not found");
     EXPECT_EQ(yaml_message("a: &x [1]\nb: *x\n"), "some/x.yml:2: has an alias (*); write its value out");
     EXPECT_EQ(yaml_message("&x\n- *x\n"), "some/x.yml:2: has an alias (*); write its value out");
     EXPECT_EQ(yaml_message(repeated("- ", 100000)), "some/x.yml:1: more than 32 levels");
@@ -238,11 +238,11 @@ TEST(MaterialFile, EndsHostileTextWithOneLine) {
     EXPECT_EQ(yaml_message("a: " + repeated("[", 20) + repeated("]", 20)),
               "some/x.yml: has no DATA; a material is YAML with DATA, as refractiveindex.info has it");
     // yaml-cpp looks for the colon of a key no further than 1024 characters ahead.
-    EXPECT_EQ(yaml_message("a: " + repeated("[", 100000)), "some/x.yml:1: a key is not a word; allowed: words");
+    EXPECT_EQ(yaml_message("a: " + repeated("[", 100000)), "some/x.yml:1: a key is not a word; a key must be a word");
     EXPECT_EQ(yaml_message(repeated("- 1\n", 20000)), "some/x.yml:10000: more than 10000 values");
-    EXPECT_EQ(yaml_message("[a]: 1\n"), "some/x.yml:1: a key is not a word; allowed: words");
+    EXPECT_EQ(yaml_message("[a]: 1\n"), "some/x.yml:1: a key is not a word; a key must be a word");
     EXPECT_EQ(yaml_message("a: 1\nb: \x01\n" + std::string(1, '\0')),
-              "some/x.yml:3: has a zero byte; allowed: text in UTF-8");
+              "some/x.yml:3: has a zero byte; the file must be text in UTF-8");
     EXPECT_EQ(yaml_message(table_head + repeated("     4 2 1\n", 1000001)),
               "some/x.yml:1000004: more than 1000000 rows");
     EXPECT_EQ(
@@ -285,16 +285,17 @@ TEST(MaterialFile, SaysWhatIsWrongWithATableOfCommaSeparatedValues) {
     EXPECT_EQ(csv_message("nm,n\n"), ": has no numbers; allowed: columns wavelength_nm,n or wavelength_nm,n,k");
     EXPECT_EQ(csv_message("400\n"), ":1: has 1 columns; allowed: wavelength_nm,n or wavelength_nm,n,k");
     EXPECT_EQ(csv_message("nm,n\n400,1.5\n500,1.5,0\n"),
-              ":3: has 3 columns, the first row has 2; every row has the same");
+              ":3: has 3 columns, the first row has 2; every row must have the same number");
     EXPECT_EQ(csv_message("400,1.5\n500,abc\n"), ":2:5: \"abc\" is not a finite number");
     EXPECT_EQ(csv_message("4OO,1.5\n500,1.5\n"), ":1:1: \"4OO\" is not a finite number");
     EXPECT_EQ(csv_message("400;1,5\n500;1,4\n"),
-              ":1: has two kinds of separators; decimals have a point, columns one kind of separator");
+              ":1: has two kinds of separators; write decimals with a point, and separate the columns in one way");
     EXPECT_EQ(csv_message("0.4,1.5\n0.7,1.4\n"),
               ":1: wavelengths end at 0.7 nm, as if they were micrometres; give nanometres");
-    EXPECT_EQ(csv_message("400,1.5,0\n500,1.5,-1e-9\n"), ":2: k = -1e-09 at 500 nm is gain; allowed: 0 or more");
+    EXPECT_EQ(csv_message("400,1.5,0\n500,1.5,-1e-9\n"),
+              ":2: k = -1e-09 at 500 nm is negative, which would be gain; allowed: 0 or more");
     EXPECT_EQ(csv_message("400,1.5\n500,1.5\n400,1.6\n"),
-              ":3: 400 nm is there twice, with n = 1.6 and in line 1 with n = 1.5; give it once");
+              ":3: 400 nm is given twice, with n = 1.6 and in line 1 with n = 1.5; give it once");
     EXPECT_EQ(csv_message("-400,1.5\n500,1.5\n"), ":1: wavelength -400 nm is not above 0; allowed: above 0");
     EXPECT_EQ(csv_message("400,1.5\n"),
               ":1: a table of one wavelength; two or more are needed (a constant index is a number in the scene)");
@@ -318,9 +319,9 @@ TEST(MaterialFile, SaysWhyAFileCannotBeRead) {
     EXPECT_EQ(message(sub_folder), sub_folder + ": is a folder; give a file");
     const std::string big = folder.file("big.yaml", formula_block);
     std::filesystem::resize_file(big, (16u << 20) + 1);
-    EXPECT_EQ(message(big), big + ": is larger than 16 MB; no file of this kind needs that");
+    EXPECT_EQ(message(big), big + ": is larger than 16 MB; such a file is never so large");
     EXPECT_EQ(message_of([] { read_material_file("glass.txt"); }),
-              "glass.txt: ends in none of .yml, .yaml and .csv; allowed: one of them");
+              "glass.txt: is not a .yml, .yaml or .csv file; give one of these");
 }
 
 }  // namespace

@@ -142,12 +142,12 @@ TEST(FindMaterial, TakesAFileByItsEndingAndAMaterialByItsName) {
 
 TEST(FindMaterial, NamesWhatItCannotFind) {
     EXPECT_EQ(message_for("watr", ""),
-              "s.toml:3:1: unknown material \"watr\"; known: water, air, or a file .yml or .csv");
+              "s.toml:3:1: unknown material \"watr\"; known: water, air, or a .yml or .csv file");
     EXPECT_EQ(message_for("TiO2", ""),
-              "s.toml:3:1: unknown material \"TiO2\"; known: tio2, sio2, or a file .yml or .csv");
+              "s.toml:3:1: unknown material \"TiO2\"; known: tio2, sio2, or a .yml or .csv file");
     EXPECT_EQ(message_for("unobtainium", ""),
-              "s.toml:3:1: unknown material \"unobtainium\"; known: ag, air, al, al2o3, aragonite, ..., or a file .yml "
-              "or .csv");
+              "s.toml:3:1: unknown material \"unobtainium\"; known: ag, air, al, al2o3, aragonite, ..., or a .yml or "
+              ".csv file");
     EXPECT_EQ(message_for("mine.yml", "/nowhere"),
               "s.toml:3:1: /nowhere/mine.yml: cannot be opened: No such file or directory");
     const test::TemporaryFolder folder;

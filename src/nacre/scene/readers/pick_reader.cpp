@@ -35,12 +35,13 @@ constexpr Allowed allowed_component{-65504.0, 65504.0};
 Rgb read_components(const Table& pick, const Value& value) {
     if (const auto* text = std::get_if<std::string>(&value.data)) {
         if (const auto colour = parse_hex_colour(*text)) return *colour;
-        pick.fail(value.where, "colour = " + in_quotes(*text) + " is none; give \"#rrggbb\", \"#rgb\" or [r, g, b]");
+        pick.fail(value.where,
+                  "colour = " + in_quotes(*text) + " is not a colour; give \"#rrggbb\", \"#rgb\" or [r, g, b]");
     }
     const Value::Array& list = pick.checked_array("colour", value);
     if (list.size() != 3) {
         pick.fail(value.where, "colour has " + std::to_string(list.size()) +
-                                   (list.size() == 1 ? " component" : " components") + "; allowed are 3: [r, g, b]");
+                                   (list.size() == 1 ? " component" : " components") + "; give 3: [r, g, b]");
     }
     std::array<double, 3> components{};
     for (std::size_t i = 0; i < 3; ++i) components[i] = pick.checked_number("colour", list[i], allowed_component);
@@ -58,14 +59,14 @@ std::optional<PickedColour> read_picked_colour(const Table& pick, const ColourRe
     const Value* value = pick.find("colour");
     if (value == nullptr) {
         if (const Value* space = pick.find("space"))
-            pick.fail(space->where, "space is that of a colour, and the pick has none; give colour = [r, g, b]");
+            pick.fail(space->where, "space belongs to a colour, and the pick has none; give colour = [r, g, b]");
         return {};
     }
     const Rgb components = read_components(pick, *value);
     const std::string space = pick.text_or("space", "");
     for (const char* number : {"peak_nm", "width_nm", "height"}) {
         if (const Value* other = pick.find(number)) {
-            pick.fail(other->where, std::string(number) + " and colour both say what is seen; leave one of them out");
+            pick.fail(other->where, std::string(number) + " and colour both say what is seen; remove one of them");
         }
     }
     PickedColour picked;

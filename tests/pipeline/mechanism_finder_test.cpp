@@ -20,7 +20,7 @@
 #include "nacre/base/error.h"
 #include "nacre/pick/find_mechanism.h"
 #include "nacre/pick/near_materials.h"
-#include "nacre/pick/simplicity.h"
+#include "nacre/pick/search_rows.h"
 #include "pipeline/picked_colours.h"
 #include "reference/effects_model.h"
 #include "reference/number.h"

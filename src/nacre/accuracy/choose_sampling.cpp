@@ -11,8 +11,8 @@
 #include "nacre/colour/difference.h"
 #include "nacre/lut/job.h"
 #include "nacre/lut/sampler.h"
-#include "nacre/shade/bends.h"
 #include "nacre/shade/integral.h"
+#include "nacre/shade/kinks.h"
 #include "nacre/shade/layered_colour.h"
 
 namespace nacre {
@@ -358,7 +358,7 @@ private:
             return adapt(job_.light->adaptation, colour_at(prepared, geometry, chosen_.work));
         };
         FacetColours facets;
-        if (tilt_deg > 0.0) facets = FacetColours(facet_curve(flat, bends_deg(mechanism), after_step_));
+        if (tilt_deg > 0.0) facets = FacetColours(facet_curve(flat, kinks_deg(mechanism), after_step_));
         for (const Geometry& geometry : geometries) {
             std::uint64_t& points = work_of(chosen_.work.effects, Effect::tilt).points;
             out.push_back(tilt_deg > 0.0 ? facets.mean(tilt_deg, geometry.incidence, points) : flat(geometry));
@@ -470,7 +470,7 @@ private:
     static std::vector<double> tilt_probe_places(const Mechanism& mechanism) {
         std::vector<double> places(grazing_sqrt_cos.begin(), grazing_sqrt_cos.end());
         for (int i = 0; i <= tilt_probe_steps; ++i) places.push_back(static_cast<double>(i) / tilt_probe_steps);
-        for (const double bend_deg : bends_deg(mechanism))
+        for (const double bend_deg : kinks_deg(mechanism))
             places.push_back(std::sqrt(std::max(Incidence::from_degrees(bend_deg).cos_theta, 0.0)));
         return places;
     }
@@ -502,7 +502,7 @@ private:
         remove(chosen_.without, mechanism, first_nm());
         PreparedColour prepared = prepare_colour(mechanism, chosen_.sampling, *job_.light, Integral::exact);
         const auto colour = [&](const Incidence& incidence) { return colour_at(prepared, incidence, chosen_.work); };
-        return facet_curve(colour, bends_deg(mechanism), after_step_);
+        return facet_curve(colour, kinks_deg(mechanism), after_step_);
     }
 
     Colours tilted() {

@@ -6,7 +6,7 @@
 #include "nacre/accuracy/reference.h"
 #include "nacre/colour/colour_distance.h"
 #include "nacre/lut/sampler.h"
-#include "nacre/shade/bends.h"
+#include "nacre/shade/kinks.h"
 
 namespace nacre {
 namespace {
@@ -60,7 +60,7 @@ Xyz Reference::tilted(const Mechanism& mechanism, const Incidence& incidence) co
     plain.effects.tilt_deg = 0.0;
     if (!facets_ || !(facets_->first == plain)) {
         facets_.emplace(plain,
-                        facet_curve([&](const Incidence& facet) { return flat(plain, facet); }, bends_deg(plain)));
+                        facet_curve([&](const Incidence& facet) { return flat(plain, facet); }, kinks_deg(plain)));
     }
     constexpr int rings = 240;
     constexpr int spokes = 180;

@@ -6,7 +6,7 @@
 
 #include "nacre/accuracy/effort.h"
 #include "nacre/lut/job.h"
-#include "nacre/shade/bends.h"
+#include "nacre/shade/kinks.h"
 
 namespace nacre {
 namespace {
@@ -234,7 +234,7 @@ std::vector<double> landmarks(const Job& job, double y) {
     if (!job.x.is_angle()) return {};
     const Mechanism mechanism = mechanism_at(job, 0.0, y);
     std::vector<double> bends;
-    for (const double angle_deg : bends_deg(mechanism))
+    for (const double angle_deg : kinks_deg(mechanism))
         bends.push_back(std::clamp(job.x.kind->coordinate(Incidence::from_degrees(angle_deg).cos_theta), 0.0, 1.0));
     std::sort(bends.begin(), bends.end());
     // A clamp that begins at a pick is found beside it by the last bits.

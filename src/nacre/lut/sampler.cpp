@@ -3,7 +3,7 @@
 #include <cassert>
 
 #include "nacre/lut/job.h"
-#include "nacre/shade/bends.h"
+#include "nacre/shade/kinks.h"
 
 namespace nacre {
 namespace {
@@ -73,7 +73,7 @@ Xyz Sampler::tilted(const Incidence& incidence) {
             ++effort.spectra;
             return colour_at(prepared_, facet, work_);
         };
-        facets_ = FacetColours(facet_curve(colour, bends_deg(mechanism_)));
+        facets_ = FacetColours(facet_curve(colour, kinks_deg(mechanism_)));
     }
     return facets_.mean(mechanism_.effects.tilt_deg, incidence, effort.points);
 }

@@ -11,49 +11,6 @@ namespace {
 // Where an index without dispersion is taken: luminance is largest there.
 constexpr double middle_nm = 555.0;
 
-using VisitIndex = std::function<void(Index&, IndexRole)>;
-
-void visit_layers(std::vector<Layer>& layers, const VisitIndex& visit) {
-    for (Layer& layer : layers) {
-        if (layer.repeat > 0) {
-            visit_layers(layer.layers, visit);
-            continue;
-        }
-        visit(layer.index, IndexRole::layer);
-        if (layer.last_index) visit(*layer.last_index, IndexRole::layer);
-    }
-}
-
-struct VisitIndices {
-    const VisitIndex& visit;
-
-    void operator()(Palette&) const {}
-    void operator()(Film& film) const {
-        visit(film.incident, IndexRole::incident);
-        visit(film.index, IndexRole::layer);
-        visit(film.substrate, IndexRole::substrate);
-    }
-    void operator()(Stack& stack) const {
-        visit(stack.incident, IndexRole::incident);
-        visit_layers(stack.layers, visit);
-        visit(stack.substrate, IndexRole::substrate);
-    }
-    void operator()(Grating& grating) const {
-        if (grating.coat) visit(*grating.coat, IndexRole::substrate);
-    }
-    void operator()(Crystal& crystal) const {
-        visit(crystal.incident, IndexRole::incident);
-        visit(crystal.sphere, IndexRole::layer);
-        visit(crystal.medium, IndexRole::layer);
-        visit(crystal.substrate, IndexRole::substrate);
-    }
-    void operator()(Scatter& scatter) const {
-        visit(scatter.medium, IndexRole::incident);
-        visit(scatter.particle, IndexRole::layer);
-    }
-    void operator()(MeasuredSpectra&) const {}
-};
-
 bool is_even(const Index& index) {
     return !index.is_dispersive();
 }
@@ -104,8 +61,7 @@ void remove_absorption(Mechanism& mechanism, double) {
 }
 
 bool has_two_polarisations(const Mechanism& mechanism, double) {
-    const bool knows_them = is_layered(mechanism) || std::holds_alternative<Scatter>(mechanism);
-    return knows_them && mechanism.effects.polarisation == Polarisation::mean;
+    return row_of(mechanism).has_polarisations && mechanism.effects.polarisation == Polarisation::mean;
 }
 void remove_polarisation(Mechanism& mechanism, double) {
     mechanism.effects.polarisation = Polarisation::s;
@@ -126,18 +82,11 @@ void remove_incoherent_layers(Mechanism& mechanism, double) {
     mechanism.effects.base.reset();
 }
 
-double* thickness_spread_of(Mechanism& mechanism) {
-    if (auto* film = std::get_if<Film>(&mechanism)) return &film->thickness_spread_nm;
-    if (auto* stack = std::get_if<Stack>(&mechanism)) return &stack->thickness_spread_nm;
-    if (auto* crystal = std::get_if<Crystal>(&mechanism)) return &crystal->thickness_spread_nm;
-    return nullptr;
-}
 bool has_thickness_spread(const Mechanism& mechanism, double) {
-    const double* spread_nm = thickness_spread_of(const_cast<Mechanism&>(mechanism));  // only looked at
-    return spread_nm != nullptr && *spread_nm > 0.0;
+    return thickness_spread_nm(mechanism) > 0.0;
 }
 void remove_thickness_spread(Mechanism& mechanism, double) {
-    if (double* spread_nm = thickness_spread_of(mechanism)) *spread_nm = 0.0;
+    if (double* spread_nm = row_of(mechanism).thickness_spread_nm(mechanism)) *spread_nm = 0.0;
 }
 
 bool has_base(const Mechanism& mechanism, double) {
@@ -214,20 +163,6 @@ void remove(const EffectSet& effects, Mechanism& mechanism, double first_nm) {
     for (const EffectRow& row : rows) {
         if (effects.has(row.effect) && row.is_in(mechanism, first_nm)) row.remove(mechanism, first_nm);
     }
-}
-
-void for_each_index(Mechanism& mechanism, const VisitIndex& visit) {
-    std::visit(VisitIndices{visit}, static_cast<MechanismModel&>(mechanism));
-    if (!mechanism.effects.base) return;
-    if (auto* metal = std::get_if<MetalBase>(&*mechanism.effects.base)) visit(metal->metal, IndexRole::substrate);
-    if (auto* pigment = std::get_if<PigmentBase>(&*mechanism.effects.base))
-        visit(pigment->pigment, IndexRole::substrate);
-}
-
-void for_each_index(const Mechanism& mechanism, const std::function<void(const Index&, IndexRole)>& visit) {
-    // The visitor only looks.
-    for_each_index(const_cast<Mechanism&>(mechanism),
-                   VisitIndex([&](Index& index, IndexRole role) { visit(index, role); }));
 }
 
 }  // namespace nacre

@@ -60,12 +60,6 @@ const EffectRow& row_of(Effect effect);
 EffectSet effects_in(const Mechanism& mechanism, double first_nm);
 void remove(const EffectSet& effects, Mechanism& mechanism, double first_nm);
 
-/// What an index of a mechanism is of.
-enum class IndexRole { incident, layer, substrate };
-/// Every index that a mechanism has; its base's too.
-void for_each_index(Mechanism& mechanism, const std::function<void(Index&, IndexRole)>& visit);
-void for_each_index(const Mechanism& mechanism, const std::function<void(const Index&, IndexRole)>& visit);
-
 /// What effects took: counted, so that it can be shown that one that is absent takes nothing.
 struct EffectWork {
     std::uint64_t spectra = 0;        ///< computed for its sake

@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -31,8 +32,8 @@ struct Effects {
     friend bool operator==(const Effects&, const Effects&) = default;
 };
 
-/// What makes a material's colour: the closed list. A new mechanism is a file under optics/, an alternative here and a
-/// row in mechanism.cpp; the compiler names every visitor that lacks it.
+/// What makes a material's colour: the closed list. Each room that treats mechanisms differently has one table with one
+/// row per alternative, in this order; src/README.md lists the tables, and the compiler names each that lacks a row.
 using MechanismModel = std::variant<Palette, Film, Stack, Grating, Crystal, Scatter, MeasuredSpectra>;
 
 /// A mechanism, and what refines it.
@@ -62,16 +63,45 @@ struct Parameter {
     std::function<void(Mechanism&, double)> set;
 };
 
-/// The names in a scene, in MechanismModel's order; the first is the default.
+/// What an index of a mechanism is of.
+enum class IndexRole { incident, layer, substrate };
+using VisitIndex = std::function<void(Index&, IndexRole)>;
+
+/// What the other rooms ask of a mechanism as such.
+struct MechanismRow {
+    std::string_view name;         ///< in a scene: "palette"
+    std::string_view description;  ///< half a line
+    Quantity quantity;             ///< what its colour depends on besides its own numbers
+    bool is_layered;               ///< made of layers: film, stack, crystal
+    bool has_polarisations;        ///< whether s and p may differ
+    /// Every index that it has, without those of its base.
+    void (*visit_indices)(MechanismModel&, const VisitIndex&);
+    /// Its standard deviation of thicknesses; null: it has none.
+    double* (*thickness_spread_nm)(MechanismModel&);
+};
+
+/// In MechanismModel's order; the first is the default.
+std::span<const MechanismRow> mechanism_rows();
+const MechanismRow& row_of(const Mechanism& mechanism);
+
+/// The names in a scene, in MechanismModel's order.
 std::vector<std::string> mechanism_names();
 
-/// The name in a scene: "palette".
-std::string_view mechanism_name(const Mechanism& mechanism);
+inline std::string_view mechanism_name(const Mechanism& mechanism) {
+    return row_of(mechanism).name;
+}
+inline Quantity quantity_of(const Mechanism& mechanism) {
+    return row_of(mechanism).quantity;
+}
+inline bool is_layered(const Mechanism& mechanism) {
+    return row_of(mechanism).is_layered;
+}
 
-/// What its colour depends on besides its own numbers.
-Quantity quantity_of(const Mechanism& mechanism);
+/// Standard deviation of its thicknesses; 0 for what has none.
+double thickness_spread_nm(const Mechanism& mechanism);
 
-/// Whether it is made of layers (film, stack, crystal).
-bool is_layered(const Mechanism& mechanism);
+/// Every index that a mechanism has; its base's too.
+void for_each_index(Mechanism& mechanism, const VisitIndex& visit);
+void for_each_index(const Mechanism& mechanism, const std::function<void(const Index&, IndexRole)>& visit);
 
 }  // namespace nacre

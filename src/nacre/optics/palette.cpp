@@ -192,16 +192,16 @@ ClampBounds palette_clamp_bounds(const Palette& palette) {
 std::vector<double> palette_bends_deg(const Palette& palette) {
     const PaletteCurve curve(palette);
     const OuterPicks outer = outer_picks(palette);
-    std::vector<double> bends_deg;
-    for (const Pick& pick : palette.picks) bends_deg.push_back(pick.angle_deg);
+    std::vector<double> kinks_deg;
+    for (const Pick& pick : palette.picks) kinks_deg.push_back(pick.angle_deg);
     const auto add_crossings = [&](auto is_beyond) {
-        if (const auto below = crossing_deg(curve, outer.first_deg, 0.0, is_beyond)) bends_deg.push_back(*below);
-        if (const auto above = crossing_deg(curve, outer.last_deg, 90.0, is_beyond)) bends_deg.push_back(*above);
+        if (const auto below = crossing_deg(curve, outer.first_deg, 0.0, is_beyond)) kinks_deg.push_back(*below);
+        if (const auto above = crossing_deg(curve, outer.last_deg, 90.0, is_beyond)) kinks_deg.push_back(*above);
     };
     add_crossings([](const Lobe& lobe) { return lobe.height < 0.0; });
     add_crossings([](const Lobe& lobe) { return lobe.height > 1.0; });
     add_crossings([](const Lobe& lobe) { return lobe.width_nm < 0.0; });
-    return bends_deg;
+    return kinks_deg;
 }
 
 }  // namespace nacre

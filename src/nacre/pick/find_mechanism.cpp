@@ -7,7 +7,7 @@
 
 #include "nacre/pick/neighbours.h"
 #include "nacre/pick/objective.h"
-#include "nacre/pick/simplicity.h"
+#include "nacre/pick/search_rows.h"
 #include "nacre/pick/starts.h"
 
 namespace nacre {
@@ -108,16 +108,7 @@ private:
 }  // namespace
 
 SearchEffort effort_for(const MechanismSearch& search) {
-    struct Visitor {
-        SearchEffort operator()(const Film&) const { return {1 << 14, 64, 24, 8}; }
-        SearchEffort operator()(const Stack&) const { return {5 << 14, 2400, 96, 96}; }
-        SearchEffort operator()(const Crystal&) const { return {1 << 14, 384, 96, 16}; }
-        SearchEffort operator()(const Grating&) const { return {1 << 16, 512, 96, 16}; }
-        SearchEffort operator()(const Palette&) const { return {}; }
-        SearchEffort operator()(const Scatter&) const { return {}; }
-        SearchEffort operator()(const MeasuredSpectra&) const { return {}; }
-    };
-    SearchEffort effort = std::visit(Visitor{}, static_cast<const MechanismModel&>(search.start));
+    SearchEffort effort = search_row_of(search.start).effort;
     // A colour of layers that are uneven, or above a base, takes ten times as long.
     if (is_irregular(search.start) || search.start.effects.base) effort.table /= 8;
     // Two free numbers are found in a smaller table than six.

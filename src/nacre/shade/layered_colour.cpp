@@ -6,16 +6,10 @@
 
 #include "nacre/base/gauss_points.h"
 #include "nacre/optics/reversed.h"
+#include "nacre/shade/shading.h"
 
 namespace nacre {
 namespace {
-
-// Without spread and base. @pre is_layered(mechanism)
-LayerSystem bare_system(const Mechanism& mechanism, int slices) {
-    if (const auto* film = std::get_if<Film>(&mechanism)) return layer_system(*film);
-    if (const auto* stack = std::get_if<Stack>(&mechanism)) return layer_system(*stack);
-    return layer_system(std::get<Crystal>(mechanism), slices);
-}
 
 const MetalBase* metal_base(const Effects& effects) {
     return effects.base ? std::get_if<MetalBase>(&*effects.base) : nullptr;
@@ -72,17 +66,10 @@ bool absorbs(const LayerSystem& system, int medium) {
     });
 }
 
-double spread_of(const Mechanism& mechanism) {
-    if (const auto* film = std::get_if<Film>(&mechanism)) return film->thickness_spread_nm;
-    if (const auto* stack = std::get_if<Stack>(&mechanism)) return stack->thickness_spread_nm;
-    if (const auto* crystal = std::get_if<Crystal>(&mechanism)) return crystal->thickness_spread_nm;
-    return 0.0;
-}
-
 }  // namespace
 
 bool is_irregular(const Mechanism& mechanism) {
-    return spread_of(mechanism) > 0.0;
+    return thickness_spread_nm(mechanism) > 0.0;
 }
 
 LayerSystem even_system(const Mechanism& mechanism, std::span<const std::size_t> blurred, int slices) {
@@ -91,12 +78,12 @@ LayerSystem even_system(const Mechanism& mechanism, std::span<const std::size_t>
 
 LayerEnsemble layer_ensemble(const Mechanism& mechanism, int realisations, std::span<const std::size_t> blurred,
                              int slices) {
-    LayerSystem even = bare_system(mechanism, slices);
+    LayerSystem even = shading_of(mechanism).layers(mechanism, slices);
     // What lies below a thick layer is gone where those are left out.
     for (const std::size_t node : blurred) {
         if (node < even.nodes.size()) even.nodes[node].is_incoherent = true;
     }
-    const double spread_nm = spread_of(mechanism);
+    const double spread_nm = thickness_spread_nm(mechanism);
     LayerEnsemble ensemble;
     if (spread_nm == 0.0 || realisations < 2) {
         ensemble = {{std::move(even)}, {1.0}};

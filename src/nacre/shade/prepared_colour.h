@@ -5,33 +5,17 @@
 #include "nacre/colour/colour_types.h"
 #include "nacre/colour/light.h"
 #include "nacre/material/geometry.h"
-#include "nacre/optics/palette.h"
+#include "nacre/material/mechanism.h"
 #include "nacre/shade/grating_colour.h"
 #include "nacre/shade/integral.h"
 #include "nacre/shade/layered_colour.h"
 #include "nacre/shade/measured_colour.h"
+#include "nacre/shade/palette_colour.h"
 #include "nacre/shade/scatter_colour.h"
 #include "nacre/shade/spectral_sampling.h"
 #include "nacre/shade/work.h"
 
 namespace nacre {
-
-/// The colour of a palette's bands.
-class PaletteColour {
-public:
-    /// @param light  has to outlive this
-    PaletteColour(const Palette& palette, const Light& light, Integral integral)
-        : curve_(palette), light_(&light), integral_(integral) {}
-
-    void reset(const Palette& palette) { curve_.reset(palette); }
-    Lobe lobe_at(const Incidence& incidence) { return curve_.at(incidence); }
-    Xyz at(const Incidence& incidence, Work& work);
-
-private:
-    PaletteCurve curve_;
-    const Light* light_;
-    Integral integral_;
-};
 
 /// What answers for a mechanism at many angles; all but its tilt.
 using PreparedColour = std::variant<PaletteColour, LayeredColour, GratingColour, ScatterColour, MeasuredColour>;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "nacre/shade/layered_colour.h"
+#include "nacre/shade/shading.h"
 
 namespace nacre {
 
@@ -20,7 +21,7 @@ NodeCounts SpectralSampling::node_counts() const {
 }
 
 bool samples_spectra(const Mechanism& mechanism) {
-    return is_layered(mechanism) || std::holds_alternative<Scatter>(mechanism);
+    return shading_of(mechanism).samples_spectra;
 }
 
 namespace {

@@ -208,13 +208,13 @@ Xyz FacetColours::mean(double tilt_deg, const Incidence& incidence, std::uint64_
     return {sum[0] / sum[3], sum[1] / sum[3], sum[2] / sum[3]};
 }
 
-XyzCurve facet_curve(const std::function<Xyz(const Incidence&)>& colour, const std::vector<double>& bends_deg,
+XyzCurve facet_curve(const std::function<Xyz(const Incidence&)>& colour, const std::vector<double>& kinks_deg,
                      const std::function<void()>& after_step) {
     const auto at = [&](double sqrt_cos) { return colour(Incidence::from_sqrt_cos(sqrt_cos)); };
     double brightest = 0.0;
     for (const double sqrt_cos : {1.0, 0.85, 0.7, 0.5, 0.3, 0.0}) brightest = std::max(brightest, at(sqrt_cos).y);
     std::vector<double> borders;
-    for (const double bend_deg : bends_deg)
+    for (const double bend_deg : kinks_deg)
         borders.push_back(std::clamp(std::sqrt(Incidence::from_degrees(bend_deg).cos_theta), 0.0, 1.0));
     for (const double cos_theta : band_least_cos_theta) borders.push_back(std::sqrt(cos_theta));
     const auto agrees = [&](const Xyz& one, const Xyz& other) {

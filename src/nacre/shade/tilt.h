@@ -79,8 +79,8 @@ private:
 
 /// A colour over sqrt(cos(theta)), as facets ask for it: to CIEDE2000 `facet_curve_error` at the scale of its
 /// brightest.
-/// @param bends_deg  where it bends
-XyzCurve facet_curve(const std::function<Xyz(const Incidence&)>& colour, const std::vector<double>& bends_deg,
+/// @param kinks_deg  where it bends
+XyzCurve facet_curve(const std::function<Xyz(const Incidence&)>& colour, const std::vector<double>& kinks_deg,
                      const std::function<void()>& after_step = {});
 inline constexpr double facet_curve_error = 1e-3;
 

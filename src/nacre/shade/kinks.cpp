@@ -1,10 +1,11 @@
-#include "nacre/shade/bends.h"
+#include "nacre/shade/kinks.h"
 
 #include <cmath>
 #include <cstddef>
 #include <numbers>
 
 #include "nacre/shade/layered_colour.h"
+#include "nacre/shade/shading.h"
 
 namespace nacre {
 namespace {
@@ -26,23 +27,14 @@ std::vector<double> critical_angles_deg(const LayerSystem& system) {
     return angles_deg;
 }
 
-struct Bends {
-    const Mechanism& mechanism;
-
-    std::vector<double> operator()(const Palette& palette) const { return palette_bends_deg(palette); }
-    std::vector<double> operator()(const Film&) const { return layered(); }
-    std::vector<double> operator()(const Stack&) const { return layered(); }
-    std::vector<double> operator()(const Grating&) const { return {}; }
-    std::vector<double> operator()(const Crystal&) const { return layered(); }
-    std::vector<double> operator()(const Scatter&) const { return {}; }
-    std::vector<double> operator()(const MeasuredSpectra& spectra) const { return spectra.angle_deg; }
-    std::vector<double> layered() const { return critical_angles_deg(even_system(mechanism)); }
-};
-
 }  // namespace
 
-std::vector<double> bends_deg(const Mechanism& mechanism) {
-    return std::visit(Bends{mechanism}, static_cast<const MechanismModel&>(mechanism));
+std::vector<double> kinks_deg(const Mechanism& mechanism) {
+    return shading_of(mechanism).kinks_deg(mechanism);
+}
+
+std::vector<double> layered_kinks_deg(const Mechanism& mechanism) {
+    return critical_angles_deg(even_system(mechanism));
 }
 
 }  // namespace nacre

@@ -1,4 +1,4 @@
-#include "nacre/pick/simplicity.h"
+#include "nacre/pick/search_rows.h"
 
 #include <gtest/gtest.h>
 

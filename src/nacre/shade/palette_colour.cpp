@@ -1,0 +1,36 @@
+#include "nacre/shade/palette_colour.h"
+
+#include <cstddef>
+#include <cstdint>
+
+#include "nacre/colour/lobe_moments.h"
+#include "nacre/colour/tristimulus.h"
+
+namespace nacre {
+
+Xyz PaletteColour::at(const Incidence& incidence, Work& work) {
+    const Lobe lobe = curve_.at(incidence);
+    const Light& light = *light_;
+    if (light.settings.wavelengths) {
+        ++work.spectra;
+        work.samples += static_cast<std::uint64_t>(light.grid.count);
+        Xyz sum;
+        for (int node = 0; node < light.grid.count; ++node) {
+            const double r = lobe_reflectance(lobe, light.grid.wavelength_nm(node));
+            if (r == 0.0) continue;
+            const auto i = static_cast<std::size_t>(node);
+            sum.x += r * light.grid_weights.x[i];
+            sum.y += r * light.grid_weights.y[i];
+            sum.z += r * light.grid_weights.z[i];
+        }
+        return sum;
+    }
+    if (integral_ == Integral::fast) {
+        ++work.fast_integrals;
+        return lobe_to_xyz_fast(light.weights, light.moments, lobe.peak_nm, lobe.width_nm, lobe.height);
+    }
+    ++work.exact_integrals;
+    return lobe_to_xyz(light.weights, lobe.peak_nm, lobe.width_nm, lobe.height);
+}
+
+}  // namespace nacre

@@ -1,0 +1,30 @@
+#pragma once
+
+#include "nacre/colour/colour_types.h"
+#include "nacre/colour/light.h"
+#include "nacre/optics/incidence.h"
+#include "nacre/optics/palette.h"
+#include "nacre/shade/integral.h"
+#include "nacre/shade/work.h"
+
+namespace nacre {
+
+/// The colour of a palette's bands.
+class PaletteColour {
+public:
+    /// @param light  has to outlive this
+    PaletteColour(const Palette& palette, const Light& light, Integral integral)
+        : curve_(palette), light_(&light), integral_(integral) {}
+
+    void reset(const Palette& palette) { curve_.reset(palette); }
+    Lobe lobe_at(const Incidence& incidence) { return curve_.at(incidence); }
+    /// Before adaptation. @param work  what it takes is added
+    Xyz at(const Incidence& incidence, Work& work);
+
+private:
+    PaletteCurve curve_;
+    const Light* light_;
+    Integral integral_;
+};
+
+}  // namespace nacre

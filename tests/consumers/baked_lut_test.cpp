@@ -18,7 +18,7 @@
 #include "nacre/lut/snippet.h"
 #include "nacre/shade/integral.h"
 #include "pipeline/baked_lut.h"
-#include "support/program.h"
+#include "support/folders.h"
 
 namespace nacre::testing {
 namespace {

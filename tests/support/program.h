@@ -3,7 +3,10 @@
 #include <filesystem>
 #include <functional>
 #include <string>
+#include <utility>
 #include <vector>
+
+#include "support/folders.h"
 
 namespace nacre::test {
 
@@ -26,25 +29,5 @@ ProgramResult run_nacre(const std::vector<std::string>& arguments, const Program
 
 /// Runs a line of the shell, in which `nacre` is the program that this build made.
 ProgramResult run_shell(const std::string& command, ProgramOptions options = {});
-
-/// A folder of a test's own, removed with all it holds.
-class TemporaryFolder {
-public:
-    TemporaryFolder();
-    ~TemporaryFolder();
-    TemporaryFolder(const TemporaryFolder&) = delete;
-    TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-
-    const std::filesystem::path& path() const { return path_; }
-    /// Writes a file in it and returns its path.
-    std::string file(const std::string& name, const std::string& text) const;
-    /// Names of everything in it, sorted; hidden files too.
-    std::vector<std::string> names() const;
-
-private:
-    std::filesystem::path path_;
-};
-
-std::string file_bytes(const std::filesystem::path& path);
 
 }  // namespace nacre::test

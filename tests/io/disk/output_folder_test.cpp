@@ -5,7 +5,7 @@
 #include <fstream>
 
 #include "nacre/base/error.h"
-#include "support/program.h"
+#include "support/folders.h"
 
 namespace nacre {
 namespace {

@@ -8,7 +8,7 @@
 
 #include "nacre/base/error.h"
 #include "nacre/lut/formats.h"
-#include "support/program.h"
+#include "support/folders.h"
 
 namespace nacre {
 namespace {

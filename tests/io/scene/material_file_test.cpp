@@ -10,7 +10,7 @@
 
 #include "nacre/base/error.h"
 #include "reference/csv.h"
-#include "support/program.h"
+#include "support/folders.h"
 
 namespace nacre {
 namespace {

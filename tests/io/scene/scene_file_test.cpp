@@ -4,7 +4,7 @@
 
 #include "io/scene/curve_csv.h"
 #include "nacre/base/error.h"
-#include "support/program.h"
+#include "support/folders.h"
 
 namespace nacre {
 namespace {

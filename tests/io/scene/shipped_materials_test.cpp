@@ -12,7 +12,7 @@
 
 #include "io/scene/material_file.h"
 #include "nacre/base/error.h"
-#include "support/program.h"
+#include "support/folders.h"
 
 namespace nacre {
 namespace {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "nacre/base/error.h"
-#include "support/program.h"
+#include "support/folders.h"
 
 namespace nacre {
 namespace {

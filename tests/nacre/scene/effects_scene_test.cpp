@@ -18,7 +18,7 @@
 #include "nacre/scene/readers/base_reader.h"
 #include "nacre/scene/readers/mechanism_reader.h"
 #include "nacre/scene/scene_context.h"
-#include "support/program.h"
+#include "support/folders.h"
 
 namespace nacre::test {
 namespace {

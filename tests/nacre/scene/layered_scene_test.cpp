@@ -2,7 +2,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
 #include <ostream>
 
 #include "io/scene/scene_file.h"
@@ -15,7 +14,7 @@
 #include "nacre/scene/readers/axis_reader.h"
 #include "nacre/scene/readers/mechanism_reader.h"
 #include "nacre/shade/spectra.h"
-#include "support/program.h"
+#include "support/folders.h"
 
 namespace nacre::test {
 namespace {
@@ -299,39 +298,6 @@ TEST(LayeredHeader, SaysWhereSpectraWereSampled) {
     EXPECT_NE(scene_toml(sampled.luts[0], sampled.colour).find("\nwavelengths = 81\n"), std::string::npos);
 }
 
-nlohmann::json json_of(const std::filesystem::path& path) {
-    return nlohmann::json::parse(file_bytes(path));
-}
-
-TEST(LayeredHeader, OfABakedFileBakesTheSameFileAgain) {
-    for (const std::string& body :
-         {std::string(film) + "index = \"wide.csv\"\nthickness_nm = 300\nsubstrate = 1.33\n",
-          std::string(film) + "index = { cauchy = [1.5, 0.004] }\nthickness_nm = 300\nsubstrate = \"ag\"\n",
-          std::string(stack) + "form = \"lamellae\"\nfilm = \"chitin\"\nfilm_nm = 94\ngap_nm = 83\nfilms = "
-                               "4\nthickness_spread_nm = 5\n[accuracy]\nnodes = 32\nrealisations = 8\n",
-          std::string(stack) +
-              "layers = [ { index = 1.38, thickness_nm = 200 }, { index = \"bk7\", thickness_nm = 1e5 } "
-              "]\n"}) {
-        const TemporaryFolder folder;
-        folder.file("wide.csv", wide_csv);
-        folder.file("s.toml", body + "[lut.f]\nsize = 8\nformat = \"float\"\n");
-        const ProgramResult first = run_nacre({"bake", "s.toml", "-o", "out"}, {folder.path(), {}, {}, {}});
-        ASSERT_EQ(first.exit_code, 0) << first.err << body;
-        const TemporaryFolder elsewhere;
-        elsewhere.file("s.toml", json_of(folder.path() / "out/f.json").at("scene").get<std::string>());
-        const ProgramResult second = run_nacre({"bake", "s.toml", "-o", "out"}, {elsewhere.path(), {}, {}, {}});
-        EXPECT_EQ(second.exit_code, 0) << second.err << body;
-        if (second.exit_code != 0) continue;
-        nlohmann::json one = json_of(folder.path() / "out/f.json");
-        nlohmann::json other = json_of(elsewhere.path() / "out/f.json");
-        // What is known of its accuracy depends on what was left to be decided.
-        one.erase("accuracy");
-        other.erase("accuracy");
-        EXPECT_EQ(other, one) << body;
-        EXPECT_TRUE(file_bytes(elsewhere.path() / "out/f.exr") == file_bytes(folder.path() / "out/f.exr")) << body;
-    }
-}
-
 // Mistakes: one line each, word for word.
 struct Mistake {
     const char* name;
@@ -342,20 +308,6 @@ struct Mistake {
 void PrintTo(const Mistake& mistake, std::ostream* out) {
     *out << mistake.name;
 }
-
-// As it is for a user who stands in a folder of his own.
-class CurrentFolder {
-public:
-    explicit CurrentFolder(const std::filesystem::path& path) : before_(std::filesystem::current_path()) {
-        std::filesystem::current_path(path);
-    }
-    ~CurrentFolder() { std::filesystem::current_path(before_); }
-    CurrentFolder(const CurrentFolder&) = delete;
-    CurrentFolder& operator=(const CurrentFolder&) = delete;
-
-private:
-    std::filesystem::path before_;
-};
 
 void write_files(const TemporaryFolder& folder, const std::string& scene) {
     folder.file("late.csv", late_csv);
@@ -562,71 +514,9 @@ const std::vector<Mistake> mistakes{
 
 INSTANTIATE_TEST_SUITE_P(Mistakes, BadLayers, testing::ValuesIn(mistakes), name_of_case);
 
-TEST(BadLayersOfTheProgram, AreToldWithExitCodeTwoAndNothingIsWritten) {
-    for (const char* name : {"NegativeThickness", "MaterialThatIsNotKnownThere", "FileThatIsNoYaml", "TwoNodes"}) {
-        const auto mistake = std::find_if(mistakes.begin(), mistakes.end(), [&](const Mistake& candidate) {
-            return candidate.name == std::string(name);
-        });
-        ASSERT_NE(mistake, mistakes.end());
-        const TemporaryFolder folder;
-        write_files(folder, mistake->scene);
-        const auto before = folder.names();
-        const ProgramResult result = run_nacre({"bake", "s.toml", "-o", "out"}, {folder.path(), {}, {}, {}});
-        EXPECT_EQ(result.exit_code, 2);
-        EXPECT_EQ(result.err, "nacre: " + mistake->message + "\n");
-        EXPECT_EQ(result.out, "");
-        EXPECT_EQ(folder.names(), before);
-    }
-}
-
 TEST(DeepGroups, MayBeSixteen) {
     const TemporaryFolder folder;
     EXPECT_NO_THROW(plan_of(folder, stack_of(nested(16))));
-}
-
-TEST(BadAngle, IsOneLine) {
-    const TemporaryFolder folder;
-    folder.file("s.toml", good_film);
-    for (const std::string angle : {"91", "-1", "nan"}) {
-        const ProgramResult result = run_nacre({"spectrum", "s.toml", "--angle", angle}, {folder.path(), {}, {}, {}});
-        EXPECT_EQ(result.exit_code, 2) << angle;
-        EXPECT_EQ(result.out, "") << angle;
-        EXPECT_EQ(result.err, "nacre: --angle: angle " + angle + " is out of range; allowed [0, 90] degrees\n");
-    }
-    for (const std::string angle : {"90"}) {
-        const ProgramResult result = run_nacre({"spectrum", "s.toml", "--angle", angle}, {folder.path(), {}, {}, {}});
-        EXPECT_EQ(result.exit_code, 0) << result.err;
-    }
-}
-
-TEST(BadPointsOfALayer, WavelengthAtWhichAMaterialIsNotKnownIsOneLineAndNothingIsPrinted) {
-    const TemporaryFolder folder;
-    folder.file("late.csv", late_csv);
-    folder.file("s.toml", film_with("\"late.csv\"") + "[light]\nrange_nm = [500, 700]\n");
-    folder.file("p.csv", "f,0,600\nf,0,400\n");
-    const ProgramResult result = run_nacre({"spectrum", "s.toml", "--points", "p.csv"}, {folder.path(), {}, {}, {}});
-    EXPECT_EQ(result.exit_code, 2);
-    EXPECT_EQ(result.out, "");
-    EXPECT_EQ(
-        result.err,
-        "nacre: p.csv:2:5: wavelength 400 nm lies outside what is known of \"late.csv\" in material \"f\"; allowed "
-        "[450, 900] nm\n");
-}
-
-TEST(BadPointsOfALayer, WavelengthsBeyondTheLightAreAnsweredTrulyOrRefused) {
-    // The file says n at 400 and 800 nm, whatever range the light has.
-    const TemporaryFolder folder;
-    folder.file("wide.csv", wide_csv);
-    folder.file("p.csv", "f,0,400\nf,0,550\nf,0,800\n");
-    folder.file("s.toml", film_with("\"wide.csv\""));
-    folder.file("narrow.toml", film_with("\"wide.csv\"") + "[light]\nrange_nm = [500, 600]\n");
-    const ProgramResult wide = run_nacre({"spectrum", "s.toml", "--points", "p.csv"}, {folder.path(), {}, {}, {}});
-    const ProgramResult narrow =
-        run_nacre({"spectrum", "narrow.toml", "--points", "p.csv"}, {folder.path(), {}, {}, {}});
-    EXPECT_EQ(wide.exit_code, 0) << wide.err;
-    if (narrow.exit_code != 2) {
-        EXPECT_EQ(narrow.out, wide.out);
-    }
 }
 
 // What `bake` would compute on for minutes, with numbers that mean nothing.

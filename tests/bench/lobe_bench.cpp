@@ -112,17 +112,12 @@ const Light& light() {
     return result;
 }
 
-LobeFinder make_finder(LobeFinder::Asked asked) {
-    return {light().weights, light().moments, light().adaptation, least_squares_solver(), asked};
+LobeFinder make_finder() {
+    return {light().weights, light().moments, light().adaptation, least_squares_solver()};
 }
 
 const LobeFinder& finder() {
-    static const LobeFinder result = make_finder(LobeFinder::Asked::seldom);
-    return result;
-}
-
-const LobeFinder& finder_asked_often() {
-    static const LobeFinder result = make_finder(LobeFinder::Asked::often);
+    static const LobeFinder result = make_finder();
     return result;
 }
 
@@ -168,28 +163,6 @@ void colour_to_lobe_unreachable(benchmark::State& state) {
     find_all(state, finder(), srgb_colours().unreachable);
 }
 
-// Beside the thorough search: how much further what it finds is.
-void find_often(benchmark::State& state, const std::vector<Xyz>& colours) {
-    find_all(state, finder_asked_often(), colours);
-    double worst = 0.0, sum = 0.0;
-    for (const Xyz& colour : colours) {
-        const double lost = finder_asked_often().find(colour).de00 - finder().find(colour).de00;
-        worst = std::max(worst, lost);
-        sum += lost;
-    }
-    state.counters["lost_dE00"] = worst;
-    state.counters["mean_lost_dE00"] = sum / static_cast<double>(colours.size());
-}
-void colour_to_lobe_often_all(benchmark::State& state) {
-    find_often(state, srgb_colours().all);
-}
-void colour_to_lobe_often_reachable(benchmark::State& state) {
-    find_often(state, srgb_colours().reachable);
-}
-void colour_to_lobe_often_unreachable(benchmark::State& state) {
-    find_often(state, srgb_colours().unreachable);
-}
-
 // The loop that one would write: the nearest in CIEDE2000 of 118 peaks and 48 widths, each as light as the colour, and
 // no search from there.
 void colour_to_lobe_of_a_table(benchmark::State& state) {
@@ -226,12 +199,8 @@ void colour_to_lobe_of_a_table(benchmark::State& state) {
 }
 
 void lobe_finder_set_up(benchmark::State& state) {
-    for (auto _ : state) benchmark::DoNotOptimize(make_finder(LobeFinder::Asked::seldom));
+    for (auto _ : state) benchmark::DoNotOptimize(make_finder());
 }
-void lobe_finder_often_set_up(benchmark::State& state) {
-    for (auto _ : state) benchmark::DoNotOptimize(make_finder(LobeFinder::Asked::often));
-}
-
 BENCHMARK(fast);
 BENCHMARK(exact);
 BENCHMARK(good_1nm_sum);
@@ -240,12 +209,8 @@ BENCHMARK(plain_1nm_sum);
 BENCHMARK(plain_5nm_sum);
 BENCHMARK(colour_to_lobe_reachable);
 BENCHMARK(colour_to_lobe_unreachable);
-BENCHMARK(colour_to_lobe_often_reachable);
-BENCHMARK(colour_to_lobe_often_unreachable);
-BENCHMARK(colour_to_lobe_often_all);
 BENCHMARK(colour_to_lobe_of_a_table);
 BENCHMARK(lobe_finder_set_up)->Unit(benchmark::kMillisecond);
-BENCHMARK(lobe_finder_often_set_up)->Unit(benchmark::kMillisecond);
 
 }  // namespace
 }  // namespace nacre

@@ -20,10 +20,8 @@ constexpr double is_near = 0.5;
 }  // namespace
 
 LobeFinder::LobeFinder(const TristimulusWeights& weights, const LobeMoments& moments, const glm::dmat3& adaptation,
-                       LeastSquaresSolver solve, Asked asked)
-    : colours_(weights, moments, adaptation), roots_(colours_), nearest_(colours_, solve), solve_(std::move(solve)) {
-    if (asked == Asked::often) prepared_.emplace(colours_, nearest_);
-}
+                       LeastSquaresSolver solve)
+    : colours_(weights, moments, adaptation), roots_(colours_), nearest_(colours_, solve), solve_(std::move(solve)) {}
 
 LobeMatch LobeFinder::match(const Lab& target, LobePlace place, double height) const {
     const Lab lab = to_lab(scaled(colours_.exact(place), height), white);
@@ -41,13 +39,6 @@ bool LobeFinder::has_widest(const Xyz& colour, const Lab& target, LobeRoots::Fou
         widest = match(target, place, std::min(height, 1.0));
         return widest.de00 <= exact_lobe_de00;
     });
-}
-
-DimmedLobe LobeFinder::nearest_to(const Lab& target) const {
-    if (prepared_) {
-        if (const std::optional<DimmedLobe> lobe = prepared_->find(target)) return *lobe;
-    }
-    return nearest_.find(target);
 }
 
 // Where all lobes of some widths, or beyond some wavelength, have one chromaticity, it says nothing about either; and
@@ -78,7 +69,7 @@ LobeMatch LobeFinder::find(Xyz colour) const {
     const bool has_chromaticity = colour.y > 0.0 && colour.x + 15.0 * colour.y + 3.0 * colour.z > 0.0;
     if (has_chromaticity) roots = roots_.find(colour);
     if (has_widest(colour, target, roots, best)) return best;
-    DimmedLobe nearest = nearest_to(target);
+    DimmedLobe nearest = nearest_.find(target);
     if (nearest.square < is_near * is_near && has_chromaticity && solve_)
         nearest = exact_if_any(colour, target, roots, nearest);
     best = match(target, nearest.place, nearest.height());

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <glm/mat3x3.hpp>
-#include <optional>
 
 #include "nacre/base/least_squares.h"
 #include "nacre/colour/colour_types.h"
@@ -11,7 +10,6 @@
 #include "nacre/pick/lobe/lobe_colours.h"
 #include "nacre/pick/lobe/lobe_roots.h"
 #include "nacre/pick/lobe/nearest_lobe.h"
-#include "nacre/pick/lobe/nearest_lobe_grid.h"
 
 namespace nacre {
 
@@ -41,23 +39,17 @@ inline constexpr double exact_lobe_de00 = 0.01;
 /// Deterministic; immutable once made, so that threads may share it. A colour that a lobe has takes some 2
 /// microseconds, another some 120.
 /// Accuracy of the nearest: of 100 000 random sRGB colours that no lobe has three were further than the best of an
-/// exhaustive search by more than CIEDE2000 0.05, by 0.07 at most (tests/io/lobe_finder_test.cpp looks at 10 000 of
-/// sRGB). Those bests lie where hues are opposite to within 0.0014 units of CIELAB: there CIEDE2000 jumps, rounding
+/// exhaustive search by more than CIEDE2000 0.05, by 0.07 at most (tests/pipeline/lobe_finder_test.cpp looks at 10 000
+/// of sRGB). Those bests lie where hues are opposite to within 0.0014 units of CIELAB: there CIEDE2000 jumps, rounding
 /// decides what is seen, and answers keep away.
 class LobeFinder {
 public:
-    enum class Asked {
-        seldom,
-        often,  ///< a picture of colours: half a second of preparation, then some 6 microseconds where no lobe has the
-                ///< colour; 1 of those in 1000 is further by 0.05 to 2 (NearestLobeGrid)
-    };
-
-    /// Takes some milliseconds if asked seldom. @param weights,moments  have to outlive this
+    /// Takes some milliseconds. @param weights,moments  have to outlive this
     /// @param adaptation  what the weights' XYZ are multiplied with so as to be relative to D65
     /// @param solve       brings bands that nearly have a colour to it, and others nearer; none: some colours next to
     /// the spectrum's locus then count as missed, by up to 1
     LobeFinder(const TristimulusWeights& weights, const LobeMoments& moments, const glm::dmat3& adaptation,
-               LeastSquaresSolver solve, Asked asked = Asked::seldom);
+               LeastSquaresSolver solve);
 
     /// @param colour  relative to D65, Y = 1 for the perfect reflector; finite. Black has width 0
     LobeMatch find(Xyz colour) const;
@@ -65,14 +57,12 @@ public:
 private:
     LobeMatch match(const Lab& target, LobePlace place, double height) const;
     bool has_widest(const Xyz& colour, const Lab& target, LobeRoots::Found& roots, LobeMatch& widest) const;
-    DimmedLobe nearest_to(const Lab& target) const;
     DimmedLobe exact_if_any(const Xyz& colour, const Lab& target, const LobeRoots::Found& roots,
                             const DimmedLobe& nearest) const;
 
     LobeColours colours_;
     LobeRoots roots_;
     NearestLobe nearest_;
-    std::optional<NearestLobeGrid> prepared_;
     LeastSquaresSolver solve_;
 };
 

@@ -22,7 +22,7 @@ public:
     NearestLobe(const LobeColours& colours, LeastSquaresSolver solve);
 
     /// Some 120 microseconds; without a solver 60, and up to 0.1 further.
-    /// Accuracy: CIEDE2000 0.05 beside an exhaustive search; see tests/io/lobe_finder_test.cpp.
+    /// Accuracy: CIEDE2000 0.05 beside an exhaustive search; see tests/pipeline/lobe_finder_test.cpp.
     DimmedLobe find(const Lab& target) const;
 
 private:

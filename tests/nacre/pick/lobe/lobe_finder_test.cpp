@@ -180,41 +180,6 @@ TEST(LobeFinder, IsAsNearAsAnExhaustiveSearch) {
     EXPECT_GT(gained / missed, 0.05) << "the table's steps";
 }
 
-TEST(LobeFinder, IsAboutAsNearWhenAskedOften) {
-    for (const char* illuminant : {"D65", "A"}) {
-        const Light light = light_of(illuminant);
-        const LeastSquaresSolver solve = least_squares_solver();
-        const LobeFinder seldom(light.weights, light.moments, light.adaptation, solve);
-        const LobeFinder often(light.weights, light.moments, light.adaptation, solve, LobeFinder::Asked::often);
-        Random random;
-        int missed = 0, far = 0;
-        double lost = 0.0, worst = 0.0;
-        for (int i = 0; i < 10000; ++i) {
-            const Xyz colour = random_srgb(random);
-            const LobeMatch one = seldom.find(colour), other = often.find(colour);
-            ASSERT_EQ(one.miss, other.miss);
-            if (one.miss == LobeMiss::none) {
-                ASSERT_NEAR(one.peak_nm, other.peak_nm, 0.05);
-                ASSERT_NEAR(one.width_nm, other.width_nm, 0.05);
-                continue;
-            }
-            ASSERT_NEAR(difference(colour, colour_of(light, other.peak_nm, other.width_nm, other.height)), other.de00,
-                        1e-3);
-            ++missed;
-            far += other.de00 > one.de00 + 0.05 ? 1 : 0;
-            lost += other.de00 - one.de00;
-            worst = std::max(worst, other.de00 - one.de00);
-        }
-        EXPECT_LE(far, missed / 500) << illuminant;
-        EXPECT_LE(lost / missed, 0.005) << illuminant;
-        EXPECT_LE(worst, 2.0) << illuminant;
-        // Beyond what displays show there is nothing prepared.
-        for (const Xyz& colour : {Xyz{0.05, 0.3, 0.9}, {0.6, 0.2, -0.1}, {2.0, 2.0, 2.0}}) {
-            EXPECT_EQ(seldom.find(colour).de00, often.find(colour).de00);
-        }
-    }
-}
-
 // Colours that a search goes astray at: next to grey's opposite hues, where CIEDE2000 jumps by half of itself; dark,
 // where lobes as light as they are are all too colourful; blues and reds whose lobes end out of sight.
 TEST(LobeFinder, IsNotLedAstray) {

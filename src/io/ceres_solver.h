@@ -4,7 +4,8 @@
 
 namespace nacre {
 
-/// Levenberg's and Marquardt's method, by Ceres' solver for small dense problems; differences stand for derivatives.
+/// The method of Levenberg and Marquardt, by the solver of Ceres for small dense problems, with finite differences as
+/// derivatives.
 LeastSquaresSolver least_squares_solver();
 
 }  // namespace nacre

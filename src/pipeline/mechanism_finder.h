@@ -10,7 +10,7 @@ namespace nacre {
 
 /// Looks for mechanisms that show given colours (see nacre/fit/find_mechanism.h), and names the materials that nacre
 /// brings along which they are nearly made of.
-/// @param after_step  called every few designs; what it throws ends the search
+/// @param after_step  called every few designs; an exception from it ends the search
 std::vector<FoundMechanism> find_with_materials(const MechanismSearch& search, const Light& light,
                                                 const std::function<void()>& after_step);
 

@@ -145,7 +145,7 @@ inline double plain_largest_error(const Job& job, const Image<Rgb>& stored, int 
     return largest;
 }
 
-/// What of a computation a plan predicts: all but what each effect had in it, which is counted only.
+/// What of a computation a plan predicts: all but the work of each effect, which is counted only.
 inline Work without_effects(Work work) {
     work.effects = {};
     return work;

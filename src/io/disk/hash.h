@@ -6,7 +6,7 @@
 
 namespace nacre {
 
-/// XXH3, 64 bits: tells accidental differences apart, not hostile ones.
+/// XXH3, 64 bits: detects accidental differences, not hostile ones.
 std::uint64_t hash_of(std::string_view bytes);
 
 /// XXH3, 128 bits, as 32 hexadecimal digits (canonical byte order): names a content.

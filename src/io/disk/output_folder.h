@@ -9,12 +9,12 @@
 
 namespace nacre {
 
-/// A folder that files appear in whole or not at all.
+/// A folder in which a file appears complete or not at all.
 ///
 /// write() puts the bytes into a temporary file beside the target; commit() makes all of them durable, reads them back,
-/// and renames them into place. Whatever happens, and whenever the process is killed, a target is its old self or its
-/// new one. What makes files durable is paid once per commit, not per file. Temporary files that were not committed
-/// are removed by the destructor.
+/// and renames them into place. Whenever the process is killed, a target is either the old file or the new one. The
+/// cost of durability is per commit, not per file. Temporary files that were not committed are removed by the
+/// destructor.
 ///
 /// Every failure of the system is an IoError that names the file. write() may be called from several threads at once.
 class OutputFolder {
@@ -25,7 +25,7 @@ public:
     OutputFolder(const OutputFolder&) = delete;
     OutputFolder& operator=(const OutputFolder&) = delete;
 
-    /// Whether the file is there already with just these bytes.
+    /// Whether the file exists already with exactly these bytes.
     bool holds(const std::string& name, std::string_view bytes) const;
 
     void write(const std::string& name, std::string_view bytes);
@@ -46,7 +46,7 @@ private:
     std::string full_path(const std::string& name) const;
 
     std::string path_;
-    int descriptor_ = -1;  // of the folder itself: its name may vanish, this does not
+    int descriptor_ = -1;  // of the folder itself; it stays valid if the folder is renamed
     mutable std::mutex mutex_;
     std::vector<Pending> pending_;
     std::uint64_t next_ = 0;

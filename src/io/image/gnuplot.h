@@ -17,7 +17,7 @@ struct GnuplotResult {
 
 /// Runs `gnuplot SCRIPT` in a private temporary folder that holds `inputs`, and reads `outputs` (PNG) back.
 ///
-/// No shell, no settings of the user's (~/.gnuplot), neither his locale; the folder is removed whatever happens. May be
+/// It uses no shell, and neither the user's settings (~/.gnuplot) nor locale. The folder is always removed. May be
 /// called from several threads.
 /// @param inputs   the script and everything that it reads, by plain file names
 /// @param script   one of the inputs

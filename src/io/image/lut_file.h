@@ -13,7 +13,7 @@
 
 namespace nacre {
 
-/// What a LUT's file says about itself, in the order in which manifests show it.
+/// The header of a LUT file, in the order in which manifests show it.
 struct LutHeader {
     std::string software;    ///< "nacre 0.1.0"
     std::string interop_id;  ///< colorInteropID of the Color Interop Forum; empty if the space has none
@@ -34,7 +34,7 @@ void check_storable(const Image<Rgb>& image, PixelFormat format);
 /// Throws Error if a component is not finite or too large for the format, IoError if the encoder fails.
 std::string encode_lut(const Image<Rgb>& image, PixelFormat format, const LutHeader& header);
 
-/// Has OpenImageIO set itself up, a millisecond that else the first LUT of a process would be charged with.
+/// Lets OpenImageIO initialise itself. Otherwise this millisecond would count for the first LUT of a process.
 void prepare_encoder();
 
 /// A LUT as it is stored.
@@ -45,8 +45,8 @@ struct StoredLut {
     std::string breach;  ///< how the file breaks the LUT contract (channels, parts, tiles, compression); empty if not
 };
 
-/// Reads back what encode_lut() wrote. Throws IoError if the file cannot be read as an EXR, Error if it is none of
-/// ours.
+/// Reads what encode_lut() wrote. Throws IoError if the file cannot be read as an EXR, Error if it is not a LUT of
+/// nacre.
 StoredLut read_lut(const std::string& path);
 
 /// The value that a component is stored as.

@@ -8,10 +8,10 @@
 
 namespace nacre {
 
-/// Display-referred pixels that shapes are laid over.
+/// Display-referred pixels on which shapes are drawn.
 ///
-/// Everything is drawn by the fraction of each pixel that it covers. OpenImageIO's render_line and render_box know
-/// whole pixels only, and its render_text no degree sign (see TextFace).
+/// Every shape is drawn with the fraction of each pixel that it covers. render_line and render_box of OpenImageIO draw
+/// whole pixels only, and its render_text draws no degree sign (see TextFace).
 class Canvas {
 public:
     /// @throws IoError if the font cannot be used

@@ -11,14 +11,14 @@
 
 namespace nacre {
 
-/// XYZ (D65, Y = 1 for the perfect reflector) to what a display is sent, [0, 1] per component.
+/// XYZ (D65, Y = 1 for the perfect reflector) to display values, [0, 1] per component.
 using DisplayTransform = std::function<Image<Rgb>(const Image<Xyz>&)>;
 
 /// How a picture becomes a file.
 struct PngSettings {
     std::filesystem::path font;  ///< a font file, see find_font()
     bool is_srgb = true;         ///< whether the transform leads to sRGB; the file says so
-    bool compress = true;        ///< bend colours beyond sRGB into it, see fit_to_srgb(); only if is_srgb
+    bool compress = true;        ///< compress colours outside sRGB into it, see fit_to_srgb(); only if is_srgb
 };
 
 /// The picture as the bytes of a PNG: 8-bit RGB, rounded to nearest, no dithering, no date, no program's name.

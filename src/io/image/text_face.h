@@ -18,12 +18,11 @@ struct TextPixels {
 
 /// A font that OpenImageIO draws text with.
 ///
-/// What its render_text() cannot draw up to version 2.4 is drawn as best it can be: a degree sign as a small raised o,
-/// any other letter beyond ASCII as a question mark. May be used from many threads; OpenImageIO lets one of them draw
-/// at a time.
+/// Up to version 2.4, render_text() cannot draw beyond ASCII: a degree sign becomes a small raised o, and any other
+/// such letter a question mark. May be used from many threads; OpenImageIO lets one draw at a time.
 class TextFace {
 public:
-    /// @throws IoError if the file is no font
+    /// @throws IoError if the file is not a font
     explicit TextFace(std::string file);
 
     /// In pixels, from the start of the first letter's space to the end of the last one's.
@@ -35,7 +34,7 @@ private:
     std::string file_;
 };
 
-/// A letter of UTF-8 and how many bytes it takes; every byte that is no part of a letter is a U+FFFD of its own.
+/// A letter of UTF-8 and how many bytes it takes; every byte that is not part of a letter counts as one U+FFFD.
 struct Letter {
     char32_t code;
     std::size_t bytes;

@@ -11,21 +11,20 @@ namespace nacre {
 /// Which OpenColorIO config to open, and how XYZ gets into it.
 struct ColourConfigChoice {
     std::string path;         ///< a config file; empty means $OCIO, and where that is unset or empty too, ours
-    std::string interchange;  ///< name of a space of the config that is CIE XYZ D65; wins over the roles. May be empty
-    std::string where;        ///< who asked, for messages: "scene.toml:3", "--ocio"
+    std::string interchange;  ///< name of a space of the config that is CIE XYZ D65; overrides the roles. May be empty
+    std::string where;        ///< the origin of the request, for messages: "scene.toml:3", "--ocio"
 };
 
-/// An OpenColorIO config, and the way into it for CIE XYZ under D65. Immutable, cheap to copy.
+/// An OpenColorIO config, and its interchange space for CIE XYZ under D65. Immutable, cheap to copy.
 ///
-/// The way in, on the scene's side (for scene-referred spaces, displays and views):
+/// The interchange space on the scene side (for scene-referred spaces, displays and views):
 ///   1. the space named by `interchange`,
 ///   2. role cie_xyz_d65_interchange, if it is scene-referred,
 ///   3. role aces_interchange, after our own XYZ D65 -> ACES2065-1 (Bradford),
 ///   4. role cie_xyz_d65_interchange, display-referred, if the config's default view transform is only a matrix.
-/// OpenColorIO wants cie_xyz_d65_interchange to be display-referred; from there to the scene it would run the default
-/// view transform backwards, and that may be a tone map. Hence the order of 3 and 4, and the condition.
-/// For display-referred spaces 2 and 4 change places: neither road leads through a view transform, which belongs to
-/// to_display() only.
+/// OpenColorIO expects cie_xyz_d65_interchange to be display-referred; from there to the scene it would invert the
+/// default view transform, which may be a tone map. Hence the order of 3 and 4, and the condition. For display-referred
+/// spaces 2 and 4 change places: neither path contains a view transform, which belongs to to_display() only.
 ///
 /// Published configs exist whose roles are wrong. So before the first conversion (a) the well-known linear spaces that
 /// the config names as we do must agree with ours on saturated colours, (b) where there is none but both roles are,
@@ -34,7 +33,7 @@ struct ColourConfigChoice {
 class ColourConfig {
 public:
     /// Opens the config; silences OpenColorIO's own logging for the whole process, once.
-    /// @throws Error if the file cannot be read or is no config that this OpenColorIO understands
+    /// @throws Error if the file cannot be read or is not a config that this OpenColorIO understands
     static ColourConfig open(const ColourConfigChoice& choice);
 
     /// "nacre (built in)", or "FILE (NAME)" without the folder.
@@ -50,11 +49,11 @@ public:
 
     /// @param name   a colour space, active or not, one of its aliases, or a role
     /// @param where  for messages
-    /// @throws Error for an unknown name (the nearest are offered), a data space, no or a wrong way in
+    /// @throws Error for an unknown name (the nearest are offered), a data space, a missing or wrong interchange space
     ColourTransform to_colour_space(const std::string& name, const std::string& where) const;
 
     /// @param display,view  empty for the config's default
-    /// @throws Error for unknown names (the known are listed), a view of data, no or a wrong way in
+    /// @throws Error for unknown names (the known are listed), a view of data, a missing or wrong interchange space
     ColourTransform to_display(const std::string& display, const std::string& view, const std::string& where) const;
 
     struct Impl;

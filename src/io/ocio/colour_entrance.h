@@ -7,24 +7,26 @@
 
 namespace nacre {
 
-/// A config and what the user says about it.
+/// A config with the settings of the user.
 struct OpenedConfig {
     OCIO::ConstConfigRcPtr config;
     std::string description;  ///< for messages and headers, no folder
     std::string interchange;  ///< a space of the config that is CIE XYZ D65, or empty
 };
 
-/// Where CIE XYZ D65 gets into a config; the order of preference is told in colour_config.h.
+/// The interchange space of a config, where CIE XYZ D65 enters; colour_config.h lists the order of preference.
 struct Entrance {
     std::string space;       ///< of the config
     std::string how;         ///< for messages: `role "aces_interchange" ("ACES2065-1")`
     bool takes_ap0 = false;  ///< the space is ACES2065-1, not XYZ
-    OCIO::ReferenceSpaceType leads_to = OCIO::REFERENCE_SPACE_SCENE;  ///< what it is an entrance for
-    bool confirmed = false;  ///< a well-known space of the config agrees with ours behind it
+    OCIO::ReferenceSpaceType leads_to =
+        OCIO::REFERENCE_SPACE_SCENE;  ///< the side for which it is the interchange space
+    bool confirmed = false;           ///< a well-known space of the config agrees with ours behind it
 };
 
-/// The entrance for targets of that side, checked against the well-known spaces behind it (see colour_config.h).
-/// @throws Error if there is none, if it leads through a view transform that is no matrix, or if it is wrong
+/// The interchange space for targets of that side, checked against the well-known spaces behind it (see
+/// colour_config.h).
+/// @throws Error if there is none, if its path has a view transform that is not a matrix, or if it is wrong
 Entrance find_entrance(const OpenedConfig& opened, OCIO::ReferenceSpaceType side, const std::string& where);
 
 /// XYZ D65 -> entrance -> `last`, whose source is entrance.space.
@@ -32,7 +34,7 @@ OCIO::GroupTransformRcPtr road_through(const Entrance& entrance, const OCIO::Tra
 /// XYZ D65 -> entrance -> a colour space.
 OCIO::GroupTransformRcPtr road_to_space(const Entrance& entrance, const std::string& space);
 
-/// White and 18 % grey must be neutral within 1e-3 at the end of the road.
+/// White and 18 % grey must be neutral within 1e-3 at the end of the path.
 /// @throws Error naming the space that they were converted to
 void check_neutral(const OpenedConfig& opened, const Entrance& entrance, const Conversion& conversion,
                    const std::string& space, const std::string& where);

@@ -23,9 +23,9 @@ public:
     /// The same for one colour.
     Rgb apply(Xyz colour) const;
 
-    /// Whether XYZ can be had back from the target's RGB. Not so for some configs' tables.
+    /// Whether the conversion has an inverse. The tables of some configs have none.
     bool has_way_back() const;
-    /// RGB of the target to XYZ, the inverse of apply() as exactly as OpenColorIO has it.
+    /// RGB of the target to XYZ, the inverse of apply() as exactly as OpenColorIO provides it.
     /// @pre has_way_back()
     /// @throws Error naming the first pixel that is not finite
     Image<Xyz> back(const Image<Rgb>& image) const;
@@ -36,10 +36,10 @@ public:
     const std::string& display() const;
     const std::string& view() const;
 
-    /// Color Interop Forum's id of the encoding, e.g. "lin_rec709_scene"; "" when it is none of those that we know.
+    /// Color Interop Forum's id of the encoding, e.g. "lin_rec709_scene"; "" for an encoding that nacre does not know.
     ///
-    /// By the numbers, never by the name: a few saturated colours, white and grey agree with our own config within
-    /// 1e-4, which is less than half rounds at 0.5 (2.4e-4). Of a view it is the id of the display's encoding.
+    /// Found by the numbers, never by the name: a few saturated colours, white and grey agree with our own config
+    /// within 1e-4, which is less than half rounds at 0.5 (2.4e-4). Of a view it is the id of the display's encoding.
     const std::string& interop_id() const;
 
     /// XYZ -> RGB when the conversion is nothing but a matrix (15 significant digits, what the CTF carries), else
@@ -48,7 +48,7 @@ public:
 
     /// The whole conversion as OpenColorIO's CTF (XML, no paths), to be carried in a file's header.
     ///
-    /// A matrix is some 500 bytes; a view with tables may be megabytes.
+    /// A matrix is about 500 bytes; a view with tables may be megabytes.
     const std::string& to_ctf() const;
 
     /// The inverse of to_ctf(): the same pixels, bit for bit.

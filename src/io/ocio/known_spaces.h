@@ -17,7 +17,7 @@ const OCIO::ConstConfigRcPtr& builtin_config();
 
 /// The colours by which two conversions are compared: primaries of Rec.709 at full, a mix, white and 18 % grey.
 ///
-/// Saturated, because a wrong matrix may well map white to white; inside every gamut that we know.
+/// They are saturated, because a wrong matrix may map white to white, and lie inside every known gamut.
 inline constexpr std::size_t probe_count = 6;
 inline constexpr std::size_t first_neutral_probe = 4;  ///< white; 18 % grey follows
 const Image<Xyz>& probe_colours();
@@ -25,7 +25,7 @@ const Image<Xyz>& probe_colours();
 /// Largest difference of any component over the probes.
 double largest_difference(const Image<Rgb>& a, const Image<Rgb>& b);
 
-/// A space of our own config and where it takes the probes: what other configs are held against.
+/// A space of our own config and where it takes the probes: the reference for other configs.
 struct KnownSpace {
     std::vector<std::string> names;  ///< its name, then its aliases
     std::string interop_id;          ///< Color Interop Forum's, "" where there is none

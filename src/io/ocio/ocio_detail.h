@@ -17,7 +17,7 @@ namespace nacre {
 
 namespace OCIO = OCIO_NAMESPACE;
 
-/// Turns OpenColorIO's own logging off, once for the process: stderr is ours.
+/// Turns off OpenColorIO's logging, once for the process, because stderr belongs to nacre.
 void silence_ocio();
 
 /// OpenColorIO's messages run over several lines: white space collapsed, control characters gone, at most 300 bytes.
@@ -28,7 +28,7 @@ struct Conversion {
     OCIO::ConstCPUProcessorRcPtr cpu;
     std::optional<glm::dmat3> matrix;
     std::string ctf;                         ///< empty unless made by make_conversion_with_ctf()
-    OCIO::ConstCPUProcessorRcPtr back = {};  ///< RGB -> XYZ; null for a matrix, and where OpenColorIO knows no way back
+    OCIO::ConstCPUProcessorRcPtr back = {};  ///< RGB -> XYZ; null for a matrix, and where OpenColorIO has no inverse
 };
 
 /// @throws OCIO::Exception
@@ -43,7 +43,7 @@ Conversion read_ctf(const std::string& text, const std::string& where);
 
 /// Whether convert_back() can be called.
 bool has_way_back(const Conversion& conversion);
-/// The inverse of convert(), as exactly as OpenColorIO has it.
+/// The inverse of convert(), as exactly as OpenColorIO provides it.
 /// @throws Error naming `target` and the first pixel that is not finite
 Image<Xyz> convert_back(const Conversion& conversion, const Image<Rgb>& image, const std::string& target);
 

@@ -18,7 +18,7 @@ struct CsvRow {
 /// 1 000 000 rows.
 std::vector<CsvRow> read_csv(const std::string& path);
 
-/// The number in a field. Throws Error, naming the file, the line and the text, if it is none or not finite.
+/// The number in a field. Throws Error, naming the file, the line and the text, if it is not a finite number.
 double csv_number(const std::string& path, const CsvRow& row, std::size_t column);
 
 /// A table of wavelength_nm,power: two columns, ascending wavelengths; a first row of words is a heading.

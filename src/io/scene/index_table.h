@@ -17,7 +17,7 @@ struct IndexRow {
     double k = 0.0;
 };
 
-/// A table as the user wrote it.
+/// A table as written by the user.
 struct IndexTable {
     bool gives_n = false;
     bool gives_k = false;
@@ -31,13 +31,13 @@ struct IndexCurves {
 };
 
 /// The number in a text, times 10^shift: the double nearest to the decimal that is meant, so that 1.005 um are 1005 nm
-/// and not 1004.9999999999999. Nothing if the text is no finite number.
+/// and not 1004.9999999999999. Nothing if the text is not a finite number.
 std::optional<double> decimal_number(std::string_view text, int shift = 0);
 
-/// Sorts the rows by wavelength, and counts one that is there twice once.
+/// Sorts the rows by wavelength, and merges equal duplicates.
 ///
 /// Throws Error, `file:line: what is wrong; what is allowed`, for a wavelength <= 0, n <= 0, k < 0 (gain), a wavelength
-/// that is there twice with different values, and fewer than two wavelengths.
+/// that is given twice with different values, and fewer than two wavelengths.
 /// @param line  of the table, for what is wrong with all of it
 IndexCurves index_curves(IndexTable table, const std::string& file, int line);
 

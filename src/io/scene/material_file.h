@@ -18,10 +18,10 @@ IndexCurve read_material_file(const std::string& path);
 /// - formula 1 to formula 9 with wavelength_range (range in older files; micrometres) and coefficients, n;
 /// - tabulated n, tabulated k, tabulated nk with data, rows of a wavelength in micrometres and values.
 ///
-/// One block gives n and at most one other k; without one k is 0. What is known of the material is the range where both
-/// are. A formula beside a tabulated nk counts for n, and the table for k. Rows may be in any order; a wavelength that
-/// is there twice counts once if its values are the same. All keys beside DATA are ignored, and so are formulas within
-/// them: those describe other properties.
+/// One block gives n and at most one other k; without one k is 0. The material is known in the range where both are. A
+/// formula beside a tabulated nk counts for n, and the table for k. Rows may be in any order; a wavelength that is
+/// given twice counts once if its values are equal. All keys beside DATA are ignored, and so are formulas within them:
+/// those describe other properties.
 ///
 /// Throws Error: see index_curves() and parse_yaml(), and for unknown types and keys, too few or too many coefficients,
 /// a formula that is not finite or not above 0 somewhere in its range (tried every nanometre, at 100 000 places at

@@ -9,14 +9,13 @@
 
 namespace nacre {
 
-/// The names of the materials that nacre brings along, in alphabetical order: the files of configs/materials, which are
-/// compiled in.
+/// The names of the shipped materials, in alphabetical order: the files of configs/materials, which are compiled in.
 std::vector<std::string> shipped_material_names();
 
 /// A material of that list, parsed anew by every call; null for any other name.
 std::shared_ptr<const IndexCurve> shipped_material(std::string_view name);
 
-/// The material that a scene names: a file if the name ends in .yml, .yaml or .csv, otherwise one that nacre brings.
+/// The material that a scene names: a file if the name ends in .yml, .yaml or .csv, otherwise a shipped material.
 ///
 /// Throws Error for an unknown name, a file that cannot be read (`WHERE: file: why not`), and a mistake in a file
 /// (`file:line: ...`, see material_file.h).

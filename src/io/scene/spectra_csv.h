@@ -10,8 +10,8 @@ namespace nacre {
 /// order ("15", "15 deg", "15°" or "R_15"); then a row per wavelength, ascending. Separators, comments and quotes as in
 /// read_csv().
 ///
-/// What comes back keeps MeasuredSpectra's promises; its `file` is the path. Reflectance is a fraction of what a white
-/// standard has, [0, 10]. Throws IoError, or Error with the line and column.
+/// The result satisfies the conditions of MeasuredSpectra; its `file` is the path. Reflectance is a fraction of what a
+/// white standard has, [0, 10]. Throws IoError, or Error with the line and column.
 MeasuredSpectra read_spectra_csv(const std::string& path);
 
 }  // namespace nacre

@@ -6,7 +6,7 @@
 
 namespace nacre {
 
-/// One value of a YAML file, and where it stands.
+/// One value of a YAML file, and its place.
 struct YamlNode {
     enum class Kind { nothing, text, list, map };
 
@@ -21,7 +21,7 @@ struct YamlNode {
     const YamlNode* find(std::string_view key) const;
 };
 
-/// A user's words for a message: control characters, line ends among them, become blanks.
+/// A text of the user for a message: control characters, line ends among them, become blanks.
 std::string printable(std::string_view text);
 
 /// Reads the one document of a YAML file, through yaml-cpp.
@@ -29,8 +29,8 @@ std::string printable(std::string_view text);
 /// Line ends of any system and a byte order mark are accepted. So are tabs, which YAML forbids as indentation: there
 /// they count to the next multiple of eight columns, as editors show them; elsewhere as one blank.
 ///
-/// Throws Error for text that is no YAML, and for what only a hostile file has: aliases, more than 32 levels, more than
-/// 10 000 values, keys that are no words, a second document, zero bytes.
+/// Throws Error for text that is not YAML, and for things that only a hostile file has: aliases, more than 32 levels,
+/// more than 10 000 values, keys that are not words, a second document, zero bytes.
 /// @param name  what messages call the file
 YamlNode parse_yaml(std::string_view text, const std::string& name);
 

@@ -4,7 +4,7 @@
 
 namespace nacre {
 
-/// Drops the nodes outside a range, but for the neighbours that its ends are interpolated from. A curve that would keep
+/// Drops the nodes outside a range, except the neighbours from which its ends are interpolated. A curve that would keep
 /// fewer than two nodes stays as it is.
 void crop_curve(SampledCurve& curve, double first_nm, double last_nm);
 

@@ -5,7 +5,7 @@
 
 namespace nacre {
 
-/// The user's mistake, in one line: `<where>: <what is wrong>; <what is allowed>`.
+/// A mistake of the user, in one line: `<where>: <what is wrong>; <what is allowed>`.
 ///
 /// Thrown while reading and planning only; optics and colour never throw. A front end catches it once
 /// (exit code 2: nothing was written).
@@ -14,7 +14,7 @@ public:
     using std::runtime_error::runtime_error;
 };
 
-/// The disk's or the operating system's refusal (exit code 3: no partial file is left).
+/// A refusal of the disk or the operating system (exit code 3: no partial file is left).
 class IoError : public Error {
 public:
     using Error::Error;

@@ -5,9 +5,9 @@
 namespace nacre {
 namespace {
 
-// The root of x^(dimensions + 1) = x + 1 above 1: the golden ratio, and what stands for it in more dimensions.
+// The root of x^(dimensions + 1) = x + 1 above 1: the golden ratio and its generalisation to more dimensions.
 double generalised_golden_ratio(std::size_t dimensions) {
-    constexpr int steps = 64;  // each gains a digit or so
+    constexpr int steps = 64;  // each gains about a digit
     double x = 2.0;
     for (int step = 0; step < steps; ++step) x = std::pow(1.0 + x, 1.0 / (static_cast<double>(dimensions) + 1.0));
     return x;

@@ -5,8 +5,8 @@
 
 namespace nacre {
 
-/// Points that fill a cube evenly, however many of them are taken: a step of its own along every edge, each a power of
-/// the generalised golden ratio, wrapped around.
+/// Points that fill a cube evenly, however many of them are taken: along every edge a different step, a power of the
+/// generalised golden ratio, wrapped around.
 ///
 /// Source: M. Roberts 2018, "The unreasonable effectiveness of quasirandom sequences".
 class EvenPoints {

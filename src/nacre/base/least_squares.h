@@ -5,7 +5,7 @@
 
 namespace nacre {
 
-/// A sum of squares that is to become small.
+/// A sum of squares to minimise.
 struct LeastSquares {
     int parameters = 0;
     int residuals = 0;
@@ -13,8 +13,8 @@ struct LeastSquares {
     std::function<void(std::span<const double> parameters, std::span<double> residuals)> evaluate;
 };
 
-/// Moves the parameters towards a minimum near by, in so many steps at most. The core brings none along: a front end
-/// hands in a library's.
+/// Moves the parameters towards a local minimum, in a limited number of steps. The core has no solver of its own; the
+/// front end passes one in.
 using LeastSquaresSolver =
     std::function<void(const LeastSquares& problem, std::span<double> parameters, int most_steps)>;
 

@@ -7,7 +7,7 @@
 namespace nacre {
 namespace {
 
-// A name longer than this was not mistyped; the limit bounds the time that hostile input can take.
+// A longer name is not a typing mistake; the limit bounds the time that hostile input can take.
 constexpr std::size_t longest_name = 200;
 
 std::string lower_case(std::string_view text) {
@@ -43,7 +43,7 @@ struct Near {
 Near nearness(const std::string& wanted, const std::string& candidate) {
     const std::string name = lower_case(candidate);
     const std::size_t edits = edit_distance(wanted, name);
-    // Parts of fewer than three letters are in nearly every name.
+    // Nearly every name contains parts of fewer than three letters.
     const std::string& part = wanted.size() < name.size() ? wanted : name;
     const std::string& whole = wanted.size() < name.size() ? name : wanted;
     const bool contained = part.size() >= 3 && whole.find(part) != std::string::npos;

@@ -12,14 +12,14 @@ namespace nacre {
 ///
 /// Distance: Levenshtein's, letters of either case equal (ASCII), counted as at most 1 when one of the two names is
 /// part of the other ("rec709" and "lin_rec709"). A candidate is offered when its distance is at most 2, or a third of
-/// the longer name: beyond that an offer is noise. Equally near ones are in order of their edits, then in the given
+/// the longer name; a more distant one would not help. Equally near ones are in order of their edits, then in the given
 /// order; the same name is offered once.
 ///
 /// @param max_count  length of the answer at most; the answer may be empty
 std::vector<std::string> nearest_names(std::string_view wanted, std::span<const std::string> candidates,
                                        std::size_t max_count = 3);
 
-/// What to offer behind "known: ": the nearest names, or where none is near the first few of all.
+/// What follows "known: ": the nearest names, or the first few of all if no name is near.
 std::string known_like(std::string_view wanted, std::span<const std::string> known);
 
 /// "name" with its quotes, as every message shows the user's words; cut after 60 bytes.

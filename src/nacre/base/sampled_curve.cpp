@@ -14,7 +14,7 @@ double SampledCurve::at(double nm) const {
     if (right == wavelength_nm.size()) return value.back();
     const std::size_t left = right - 1;
     const double t = (nm - wavelength_nm[left]) / (wavelength_nm[right] - wavelength_nm[left]);
-    // Both products, so that a node's own value comes back to the bit.
+    // Both products, so that the value at a node is exact to the bit.
     return (1.0 - t) * value[left] + t * value[right];
 }
 

@@ -15,7 +15,7 @@ struct WavelengthGrid {
     /// @param node  0 .. count - 1
     double wavelength_nm(int node) const {
         assert(node >= 0 && node < count);
-        // In this order whole nanometres come out as such.
+        // In this order of operations whole nanometres are exact.
         return first_nm + (last_nm - first_nm) * node / (count - 1);
     }
     friend bool operator==(const WavelengthGrid&, const WavelengthGrid&) = default;

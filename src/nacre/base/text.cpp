@@ -29,7 +29,7 @@ std::string significant_text(double value, int digits) {
     char buffer[32];
     const auto written =
         std::to_chars(buffer, buffer + sizeof buffer, value, std::chars_format::scientific, digits - 1);
-    double rounded = value;  // infinity and its like stay what they are
+    double rounded = value;  // values that are not finite stay as they are
     std::from_chars(buffer, written.ptr, rounded);
     return number_text(rounded);
 }

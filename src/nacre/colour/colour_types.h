@@ -10,8 +10,8 @@ struct Xyz {
     friend bool operator==(const Xyz&, const Xyz&) = default;
 };
 
-/// Three components of some RGB space. Which one is said by whoever made the numbers; scene-linear unless
-/// the name says `display_referred`. Components may be negative or exceed 1.
+/// Three components of some RGB space. The code that makes the numbers says which; scene-linear unless the name says
+/// `display_referred`. Components may be negative or exceed 1.
 struct Rgb {
     double r = 0.0;
     double g = 0.0;

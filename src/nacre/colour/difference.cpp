@@ -107,8 +107,8 @@ Steps steps_between(const Lab& one, const Lab& other, double side) {
 
 double ciede2000(const Lab& one, const Lab& other) {
     const auto [l, c, h, rotation] = steps_between(one, other, 0.0);
-    // The form is positive definite (|rotation| < 2), but rounding may leave a trifle below 0. What is not a number
-    // stays so: fmax() would hide it.
+    // The form is positive definite (|rotation| < 2), but rounding may leave a value slightly below 0. NaN stays NaN:
+    // fmax() would hide it.
     const double square = l * l + c * c + h * h + rotation * c * h;
     return std::sqrt(square < 0.0 ? 0.0 : square);
 }

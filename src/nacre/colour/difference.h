@@ -21,19 +21,20 @@ Lab to_lab(Xyz colour, Xyz white);
 /// The other way.
 Xyz from_lab(const Lab& lab, Xyz white);
 
-/// Luminances up to this are black, however bright they are shown: what is left of nothing after rounding.
+/// Luminances up to this count as black, at any exposure: rounding errors of zero.
 inline constexpr double black_luminance = 1e-12;
 
-/// CIEDE2000, kL = kC = kH = 1: 1 is about what an eye just tells apart.
+/// CIEDE2000, kL = kC = kH = 1: 1 is about a just noticeable difference.
 ///
 /// Source: Sharma, Wu, Dalal 2005, Color Res. Appl. 30(1), 21-30, equations 2-22; symmetric in its arguments.
 /// Accuracy: that article's 34 pairs to their four decimals.
 double ciede2000(const Lab& one, const Lab& other);
 
 /// The same as three parts whose squares sum to the square of ciede2000(): lightness; chroma, with half of the rotation
-/// term; and the rest of hue. For optimisers that want residuals.
-/// @param side  Where hues are opposite CIEDE2000 jumps, as the shorter way round changes sides. 1 counts the way
-/// upwards from one's hue, -1 the way downwards, so long as either is more than 90 degrees: smooth across the jump
+/// term; and the rest of hue. For optimisers that need residuals.
+/// @param side  Where hues are opposite CIEDE2000 jumps, because the shorter way around the hue circle changes sides. 1
+/// counts the way upwards from one's hue, -1 the way downwards, so long as either is more than 90 degrees: smooth
+/// across the jump
 std::array<double, 3> ciede2000_parts(const Lab& one, const Lab& other, double side = 0.0);
 
 /// No two colours differ by more in CIEDE2000 than by so many times their Euclidean distance in L*a*b*.

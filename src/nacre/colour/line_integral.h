@@ -21,14 +21,16 @@ struct Moments {
     double second = 0.0;
 };
 
-/// Of a spectral line of N grooves, sinc^2(t), sinc(t) = sin(pi t) / (pi t): all of it, however narrow.
+/// Moments of a spectral line of N grooves, sinc^2(t), sinc(t) = sin(pi t) / (pi t): the whole line, however narrow it
+/// is.
 ///
 /// Made for pieces near the line: k lengths away from it the second moment has lost a factor k^3 of its digits.
 /// Accuracy, relative to 2 min(1, 1 / t^2): 1e-9 in the zeroth moment, 2e-8 in the others.
 /// @param from,to  t at s = -1 and at s = 1, in either order, at most 1e12
 Moments line_moments(double from, double to);
 
-/// Of sin^2(pi t), the ripple that all orders of a grating share. Relative accuracy 1e-14, next to its zeros too.
+/// Moments of sin^2(pi t), the oscillation that all orders of a grating share. Relative accuracy 1e-14, next to its
+/// zeros too.
 /// @param middle  t at s = 0; whole numbers may be left out of it
 /// @param half    of either sign
 Moments ripple_moments(double middle, double half);

@@ -47,7 +47,7 @@ void sum_terms(const LobeTerms& terms, double* HWY_RESTRICT sum) {
             const auto difference = hn::Sub(row(terms.last->moment[m]), row(terms.first->moment[m]));
             return hn::MulAdd(hn::Set(d, terms.power[m]), difference, so_far);
         };
-        // Two sums, because one would wait for its own result.
+        // Two independent sums hide the latency of one.
         auto even = hn::Mul(hn::Set(d, terms.at_first), row(terms.first->weight));
         auto odd = hn::Mul(hn::Set(d, terms.at_last), row(terms.last->weight));
         even = hn::MulAdd(hn::Set(d, terms.at_before), row(terms.before->weight), even);

@@ -7,9 +7,9 @@
 
 namespace nacre {
 
-/// What lobe_to_xyz_fast() looks up: running integrals of the weights times powers of the wavelength.
+/// The tables of lobe_to_xyz_fast(): running integrals of the weights times powers of the wavelength.
 ///
-/// Built in some 20 microseconds; 120 kB for the whole visible range.
+/// Built in about 20 microseconds; 120 kB for the whole visible range.
 struct LobeMoments {
     static constexpr int powers = 7;
 
@@ -35,8 +35,8 @@ LobeMoments make_lobe_moments(const TristimulusWeights& weights);
 /// orthogonal to all smooth weights; the two cut cells have their sine's first two terms. Lobes narrower than
 /// `narrowest_fast_lobe_nm` are handed to lobe_to_xyz().
 /// Accuracy: 6e-6 of X, Y and Z (white is about 1); 4e-7 up to 150 nm of width under lights without lines. That is
-/// CIEDE2000 0.001 at the lobe's own brightness, but for lobes of which the range or a lamp's line shows a flank only
-/// (0.003); see tests/nacre/colour/lobe_moments_test.cpp.
+/// CIEDE2000 0.001 at the lobe's own brightness, except for lobes of which only a flank lies in the range or under a
+/// line of a lamp (0.003); see tests/nacre/colour/lobe_moments_test.cpp.
 /// @param weights,moments  the second made of the first
 Xyz lobe_to_xyz_fast(const TristimulusWeights& weights, const LobeMoments& moments, double peak_nm, double width_nm,
                      double height);

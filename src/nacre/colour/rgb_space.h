@@ -9,7 +9,7 @@
 
 namespace nacre {
 
-/// What an RGB space is made of.
+/// The definition of an RGB space.
 struct RgbPrimaries {
     Chromaticity red;
     Chromaticity green;

@@ -88,7 +88,7 @@ private:
                 by_phi * weight_at(weights_.z, cell, along)};
     }
 
-    // Side by side, because each recurrence waits for itself.
+    // Side by side, which hides the latency of each recurrence.
     void add_points(const Points& points) {
         std::array<double, quadrature.size()> polynomial, before;
         for (std::size_t i = 0; i < points.size(); ++i) {

@@ -6,7 +6,7 @@
 
 namespace nacre {
 
-/// Wavelengths at which a smooth spectrum is sampled, and what each of its values weighs: X = sum of R(nm) * x.
+/// Wavelengths at which a smooth spectrum is sampled, and the weight of each value: X = sum of R(nm) * x.
 struct SpectralNodes {
     /// Weights are padded with zeros, and wavelengths with the last one, to a multiple of this: SIMD registers.
     static constexpr int padding = 8;
@@ -19,9 +19,9 @@ struct SpectralNodes {
 };
 
 /// Product integration: the spectrum is interpolated by a polynomial in the wavenumber 1 / wavelength through Chebyshev
-/// nodes, and that is integrated exactly against the weights, jagged as they may be (Sloan & Smith 1978, Math. Comp.
-/// 32, 1). Interference fringes are even in wavenumber, so a spectrum with F of them needs little more than pi * F
-/// nodes, beyond which the error falls by a factor per node. A spectrum of ones has Y = 1 to rounding.
+/// nodes, which is integrated exactly against the weights, even if these are not smooth (Sloan & Smith 1978, Math.
+/// Comp. 32, 1). Interference fringes are even in wavenumber, so a spectrum with F of them needs little more than pi *
+/// F nodes, beyond which the error falls by a factor per node. A spectrum of ones has Y = 1 to rounding.
 ///
 /// More than `most_nodes_per_panel` are spread over several even panels of the wavenumber.
 /// @param count  >= 2

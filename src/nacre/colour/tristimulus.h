@@ -38,13 +38,13 @@ TristimulusWeights make_tristimulus_weights(Observer observer, const SampledCurv
 /// Tristimulus values of height * cos(pi (nm - peak) / width), |nm - peak| < width / 2, exactly.
 ///
 /// Product integration: over one nanometre the weight is linear and the lobe a cosine, which has a closed form
-/// (see tristimulus.cpp). No sampling error at any width; what is left is rounding: 3e-14 absolute was seen.
+/// (see tristimulus.cpp). There is no sampling error at any width; rounding errors are up to 3e-14 absolute (observed).
 /// @param peak_nm,width_nm  any finite numbers, width_nm >= 0 (0 gives black)
 /// @param height            in [0, 1]
 Xyz lobe_to_xyz(const TristimulusWeights& weights, double peak_nm, double width_nm, double height);
 
-/// The same number by the closed form of every cell, one by one: the simple twin that tests and benchmarks
-/// hold lobe_to_xyz() against.
+/// The same by the closed form of every cell, one by one: the scalar reference implementation that tests and benchmarks
+/// compare lobe_to_xyz() with.
 Xyz lobe_to_xyz_per_cell(const TristimulusWeights& weights, double peak_nm, double width_nm, double height);
 
 /// Weights for spectra sampled at a grid: X = sum of value[i] * x[i] (trapezium rule at the grid's nodes,

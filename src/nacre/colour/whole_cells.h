@@ -13,7 +13,7 @@ struct Phasor {
     double sine = 0.0;
 };
 
-/// Angles for which small_phasor() keeps its accuracy: pi / 8 and a little.
+/// Angles for which small_phasor() keeps its accuracy: slightly more than pi / 8.
 inline constexpr double small_angle = 0.4;
 
 /// Cosine and sine of x by their Taylor series, without a call.
@@ -42,8 +42,8 @@ struct WholeCells {
 
 /// Integral over the cells of the cosine times the piecewise linear weights, exactly.
 ///
-/// SIMD (Highway), the widest instruction set that the machine has; the last bits may differ between sets.
-/// Accuracy: 5e-14 absolute, held against the per-cell form by tests.
+/// SIMD (Highway) with the widest instruction set of the machine; the last bits may differ between instruction sets.
+/// Accuracy: 5e-14 absolute; tests compare it with the per-cell form.
 Xyz integrate_whole_cells(const TristimulusWeights& weights, const WholeCells& cells);
 
 }  // namespace nacre

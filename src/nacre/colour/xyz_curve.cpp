@@ -11,9 +11,9 @@ namespace nacre {
 namespace {
 
 constexpr int degree_count = 10;
-// Where a panel is tried: between nodes, in the middle and towards the ends, where polynomials fail first.
+// Where a panel is tried: between nodes, in the middle and near the ends, where polynomials fail first.
 constexpr std::array tried_at{-0.97, -0.55, 0.07, 0.62, 0.96};
-// Narrower intervals than this are taken as they are: something bends there that no border tells of.
+// Narrower intervals are accepted as they are: the colour has a kink there that is not among the borders.
 constexpr double narrowest = 1e-4;
 
 Xyz plus(const Xyz& sum, double factor, const Xyz& term) {

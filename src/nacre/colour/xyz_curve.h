@@ -7,8 +7,8 @@
 
 namespace nacre {
 
-/// A colour that depends on one number in [0, 1], as polynomials: for what takes microseconds to seconds to compute and
-/// is asked thousands of times.
+/// A colour that depends on one number in [0, 1], as polynomials: for colours that take microseconds to seconds to
+/// compute and are needed thousands of times.
 ///
 /// Chebyshev interpolation on intervals that are halved until new points agree.
 class XyzCurve {
@@ -17,9 +17,10 @@ public:
     using Agrees = std::function<bool(const Xyz&, const Xyz&)>;
 
     XyzCurve() = default;
-    /// @param borders  ascending, the first 0 and the last 1: where intervals begin, at least wherever the colour bends
+    /// @param borders  ascending, the first 0 and the last 1: where intervals begin; at least wherever the colour has a
+    /// kink
     /// @param agrees   whether an interpolated colour is as good as the true one
-    /// @param after_step  called once per interval that was tried; what it throws ends the search
+    /// @param after_step  called once per interval that was tried; an exception from it ends the search
     XyzCurve(const Colour& colour, const std::vector<double>& borders, const Agrees& agrees,
              const std::function<void()>& after_step = {});
 

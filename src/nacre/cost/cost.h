@@ -13,11 +13,11 @@ namespace nacre {
 
 /// Ways to make a LUT that belong together: one line or group of points in a picture of cost.
 enum class CostFamily {
-    integral,    ///< how a spectrum becomes XYZ, everything else as good as it gets
+    integral,    ///< how a spectrum becomes XYZ, everything else as exact as possible
     fixed_size,  ///< sizes that one may fix, per axis and format
-    mistake,     ///< what goes wrong in practice, at 256 texels
-    effect,      ///< every effect of the material switched off in turn, everything else as good as it gets
-    choice,      ///< what nacre takes for a bound
+    mistake,     ///< common mistakes, at 256 texels
+    effect,      ///< every effect of the material switched off in turn, everything else as exact as possible
+    choice,      ///< nacre's choice for a bound
 };
 
 /// One way to make the LUT of a job.
@@ -31,8 +31,8 @@ struct CostCase {
     bool is_reached = true;                      ///< whether a choice keeps its bound
     double predicted = 0.0;                      ///< error that settle() predicts for a choice; 0: nobody does
     std::size_t bytes = 0;                       ///< of the texels
-    std::function<Image<Rgb>()> make;            ///< makes the LUT, as stored: this is what time is taken of
-    std::function<LutPoint(LutPoint)> fetch_at;  ///< where a shader fetches instead; empty: where it should
+    std::function<Image<Rgb>()> make;            ///< makes the LUT, as stored; this is what is timed
+    std::function<LutPoint(LutPoint)> fetch_at;  ///< where a mistaken shader fetches; empty: at the right place
 };
 
 /// Every case for a LUT: five sums, three wavelengths, fits, and the exact integral; sizes 32 to 1024 under each angle

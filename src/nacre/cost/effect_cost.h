@@ -4,7 +4,7 @@
 
 namespace nacre {
 
-/// The same job with one more effect left out, and nothing sampled for its sake.
+/// The same job with one more effect left out, and without the sampling for it.
 Job without_effect(Job job, Effect effect);
 
 }  // namespace nacre

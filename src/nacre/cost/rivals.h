@@ -10,11 +10,11 @@
 
 namespace nacre {
 
-/// A way from a band of reflectance to XYZ, one of those that others take: what nacre's integrals are compared with.
+/// A method from a band of reflectance to XYZ that others use; a baseline for nacre's integrals.
 ///
-/// Each is written as well as it can be with its idea: only wavelengths under the band are visited, and white comes out
-/// white. Sums have their weights computed beforehand and their cosines stepped by SIMD recurrence; fits are evaluated
-/// where they are needed, as in shaders: a table of them might as well be the CIE's.
+/// Each is written as well as its method allows: only wavelengths under the band are visited, and white stays white.
+/// Sums have their weights computed beforehand and their cosines stepped by SIMD recurrence; fits are evaluated where
+/// they are needed, as in shaders: with a table of them one could use the CIE's table.
 class Rival {
 public:
     virtual ~Rival() = default;
@@ -26,8 +26,8 @@ public:
 /// @param step_nm  >= 1
 std::unique_ptr<Rival> make_sum_rival(const Light& light, int step_nm);
 
-/// The same for spectra that are no bands: wavelengths and what their reflectances weigh. White comes out white after
-/// the light's own adaptation.
+/// The same for spectra that are not bands: wavelengths and their weights. White stays white after the adaptation of
+/// the light.
 SpectralNodes sum_nodes(const Light& light, int step_nm);
 /// Of make_three_wavelengths_rival().
 SpectralNodes three_wavelengths_nodes(const Light& light);
@@ -35,7 +35,7 @@ SpectralNodes three_wavelengths_nodes(const Light& light);
 SpectralNodes fit_nodes(const Light& light, bool single_lobe);
 
 /// The reflectance at the dominant wavelengths of Rec.709's red, green and blue, taken as RGB: rendering in three
-/// channels. It knows neither observer nor illuminant.
+/// channels, without observer or illuminant.
 std::unique_ptr<Rival> make_three_wavelengths_rival();
 
 /// A sum over every fifth nanometre with the matching functions as shaders have them, by the exponentials of Wyman,

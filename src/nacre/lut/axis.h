@@ -19,7 +19,7 @@ struct Axis {
     double parameter_value(double coordinate) const;
 };
 
-/// The default of a LUT's x, for mechanisms that depend on that quantity.
+/// The default x axis of LUTs of mechanisms that depend on that quantity.
 Axis default_axis(Quantity quantity = Quantity::incidence);
 
 }  // namespace nacre

@@ -14,7 +14,7 @@
 
 namespace nacre {
 
-/// One image of XYZ: everything that bake() needs, with no name left to look up and no default left to choose.
+/// One image of XYZ: everything that bake() needs, with all names resolved and all defaults chosen.
 struct Job {
     Material material;
     std::shared_ptr<const Light> light;

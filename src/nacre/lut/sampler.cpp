@@ -36,8 +36,8 @@ void Sampler::set_parameters(double x, double y) {
     last_y_ = y;
     auto* palette = std::get_if<PaletteColour>(&prepared_);
     if (palette != nullptr && mechanism_.effects.tilt_deg == 0.0) {
-        // The way of planes and palettes, a million times: no copies.
-        if (x_moves) job_.x.parameter.set(mechanism_, job_.x.parameter_value(x));    // planning sees to it that the
+        // Planes and palettes call this a million times, so it copies nothing.
+        if (x_moves) job_.x.parameter.set(mechanism_, job_.x.parameter_value(x));    // planning guarantees that the
         if (y_moves) job_.y->parameter.set(mechanism_, job_.y->parameter_value(y));  // axes set different numbers
         if (job_.without.has(Effect::tilt)) mechanism_.effects.tilt_deg = 0.0;
         palette->reset(std::get<Palette>(mechanism_));

@@ -11,8 +11,8 @@
 
 namespace nacre {
 
-/// A job made ready to be asked at many points. What did not change since the last point is not computed again, so
-/// points are best asked row by row.
+/// A job prepared for evaluation at many points. It does not compute again what has not changed since the last point,
+/// so evaluate points row by row.
 class Sampler {
 public:
     /// @param job  has to outlive the sampler
@@ -25,7 +25,7 @@ public:
     /// The band of reflectance behind that colour. @pre the job's material is a palette
     Lobe lobe_at(double x, double y = 0.0);
 
-    /// Of everything asked so far.
+    /// The work of all evaluations so far.
     const Work& work() const { return work_; }
 
 private:
@@ -36,7 +36,7 @@ private:
     const Job& job_;
     Mechanism mechanism_;
     SpectralSampling sampling_;
-    PreparedColour prepared_;       // what answers for the mechanism at many angles
+    PreparedColour prepared_;       // the colour of the mechanism at many angles
     FacetColours facets_;           // its colours, if facets ask for them
     std::optional<double> last_x_;  // of parameters, where they are axes
     std::optional<double> last_y_;

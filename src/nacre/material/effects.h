@@ -11,8 +11,8 @@
 
 namespace nacre {
 
-/// What refines a mechanism's colour: the closed list. A scene calls for it or not; where it does, it may still make no
-/// difference that counts.
+/// The closed list of what refines the colour of a mechanism. Even where a scene asks for an effect, its difference may
+/// be negligible.
 enum class Effect {
     dispersion,
     absorption,
@@ -45,11 +45,11 @@ private:
 /// the code that simulates it.
 struct EffectRow {
     Effect effect;
-    std::string_view name;         ///< as scenes, plans and headers say it
+    std::string_view name;         ///< in scenes, plans and headers
     std::string_view description;  ///< half a line
     /// @param first_nm  where the light begins
     bool (*is_in)(const Mechanism&, double first_nm);
-    /// Afterwards is_in() says no, and nothing of it is computed.
+    /// Afterwards is_in() is false, and nothing of the effect is computed.
     void (*remove)(Mechanism&, double first_nm);
 };
 
@@ -60,10 +60,10 @@ const EffectRow& row_of(Effect effect);
 EffectSet effects_in(const Mechanism& mechanism, double first_nm);
 void remove(const EffectSet& effects, Mechanism& mechanism, double first_nm);
 
-/// What effects took: counted, so that it can be shown that one that is absent takes nothing.
+/// The work spent on an effect, counted so that tests can show that an absent effect costs nothing.
 struct EffectWork {
-    std::uint64_t spectra = 0;        ///< computed for its sake
-    std::uint64_t layers = 0;         ///< that have it, times wavelengths
+    std::uint64_t spectra = 0;        ///< computed because of it
+    std::uint64_t layers = 0;         ///< affected layers times wavelengths
     std::uint64_t points = 0;         ///< of its quadrature
     std::uint64_t polarisations = 0;  ///< spectra of a second one
     friend bool operator==(const EffectWork&, const EffectWork&) = default;

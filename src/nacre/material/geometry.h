@@ -4,14 +4,14 @@
 
 namespace nacre {
 
-/// What a mechanism's colour depends on where light and eye are concerned: each mechanism knows one of these.
+/// The geometric quantity that the colour of a mechanism depends on: each mechanism uses one of these.
 enum class Quantity {
     incidence,    ///< the angle to the normal
     grating_u,    ///< |sin theta_i + sin theta_o|
     cos_scatter,  ///< the cosine of the angle by which light is turned
 };
 
-/// Where light and eye are. Of these a mechanism reads its own quantity.
+/// The positions of light and eye. A mechanism reads its own quantity.
 struct Geometry {
     Incidence incidence;
     double grating_u = 0.0;    ///< in [0, 2]

@@ -104,7 +104,7 @@ void for_each_index(Mechanism& mechanism, const VisitIndex& visit) {
 }
 
 void for_each_index(const Mechanism& mechanism, const std::function<void(const Index&, IndexRole)>& visit) {
-    // The visitor only looks.
+    // The visitor does not change it.
     for_each_index(const_cast<Mechanism&>(mechanism),
                    VisitIndex([&](Index& index, IndexRole role) { visit(index, role); }));
 }

@@ -22,7 +22,7 @@
 
 namespace nacre {
 
-/// What refines a mechanism, if the scene calls for it. (Others are numbers of the mechanism itself: the spread of a
+/// Refinements of a mechanism, if the scene asks for them. (Others are numbers of the mechanism itself: the spread of a
 /// stack's thicknesses, the orders of a grating.)
 struct Effects {
     std::optional<Base> base;  ///< below the layers; none: black
@@ -32,8 +32,9 @@ struct Effects {
     friend bool operator==(const Effects&, const Effects&) = default;
 };
 
-/// What makes a material's colour: the closed list. Each room that treats mechanisms differently has one table with one
-/// row per alternative, in this order; src/README.md lists the tables, and the compiler names each that lacks a row.
+/// The closed list of what makes the colour of a material. Each room that treats mechanisms differently has one table
+/// with one row per alternative, in this order; src/README.md lists the tables, and the compiler names each that lacks
+/// a row.
 using MechanismModel = std::variant<Palette, Film, Stack, Grating, Crystal, Scatter, MeasuredSpectra>;
 
 /// A mechanism, and what refines it.

@@ -38,7 +38,7 @@ struct PigmentBase {
     friend bool operator==(const PigmentBase&, const PigmentBase&) = default;
 };
 
-/// A smooth metal: no scattering, what it reflects leaves at the angle at which it came.
+/// A smooth metal: no scattering, it reflects light only in the mirror direction.
 struct MetalBase {
     Index metal;
     friend bool operator==(const MetalBase&, const MetalBase&) = default;

@@ -48,11 +48,11 @@ std::vector<int> counted_orders(const Grating& grating, double least_nm);
 /// @pre the coat is known at the wavelength
 double grating_efficiency(const Grating& grating, int order, double wavelength_nm);
 
-/// What of the efficiencies depends on the order alone, for who asks at many wavelengths; empty where all does on both
-/// (sinusoidal). @param orders  >= 0
+/// The factors of the efficiencies that depend on the order alone, for callers with many wavelengths; empty if every
+/// factor depends on both (sinusoidal). @param orders  >= 0
 std::vector<double> order_shares(const Grating& grating, std::span<const int> orders);
 
-/// The same for many orders at once, in about the time of the largest alone.
+/// The same for many orders at once, in about the time of the largest.
 /// @param orders      ascending, >= 0
 /// @param shares      order_shares() of them
 /// @param efficiency  as many as orders; receives the fractions

@@ -4,8 +4,8 @@ namespace nacre {
 
 /// The angle between the light (or the view, or the half vector) and the normal, in air.
 ///
-/// Kept twice, because neither number can be had from the other without loss: near the normal the cosine of
-/// 1e-6 degrees is 1 to the last bits, and near grazing 90 - theta loses what cos(theta) still knows.
+/// Kept twice, because neither number follows from the other without loss: near the normal the cosine of 1e-6 degrees
+/// rounds to 1, and near grazing 90 - theta has fewer digits than cos(theta).
 struct Incidence {
     double theta_deg = 0.0;  ///< in [0, 90]
     double cos_theta = 1.0;  ///< in [0, 1]

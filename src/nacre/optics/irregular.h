@@ -6,10 +6,10 @@
 
 namespace nacre {
 
-/// Layer systems whose mean is what an irregular stack shows: every layer's thickness is a normal variable of its own,
-/// with the standard deviation `spread_nm` around its nominal value, and never below 0.
+/// Layer systems whose mean is the reflectance of an irregular stack: every layer's thickness is a normal variable of
+/// its own, with the standard deviation `spread_nm` around its nominal value, and never below 0.
 ///
-/// An integral over as many variables as there are layers. It is taken with a fixed set of points, so nothing is noisy.
+/// An integral over as many variables as there are layers. It uses a fixed set of points, so there is no noise.
 /// Up to three layers have a grid of normal_points(), if `count` affords four along each: then more points help as they
 /// do in any smooth integral. More layers have Richtmyer's sequence (multiples of the roots of primes), one variable
 /// per layer, stratified so that every layer by itself is spread evenly; every point with its mirror image, so that odd
@@ -22,7 +22,7 @@ namespace nacre {
 /// @param count  at most so many systems (a grid takes the largest power that fits); even, >= 2
 LayerEnsemble irregular_systems(const LayerSystem& regular, double spread_nm, int count);
 
-/// Counts that are worth trying.
+/// Useful sample counts.
 struct RealisationCounts {
     std::vector<int> list;       ///< ascending, at least three
     bool converge_fast = false;  ///< whether they make grids

@@ -5,7 +5,7 @@
 
 namespace nacre {
 
-/// Reflectance as somebody measured it: spectra at some angles.
+/// Measured reflectance: spectra at some angles.
 struct MeasuredSpectra {
     std::string file;                   ///< where it came from, as the scene names it; not part of what it is
     std::vector<double> wavelength_nm;  ///< ascending, >= 2

@@ -20,12 +20,13 @@ struct MieSphere {
 /// @param x  size parameter: 2 pi radius * index of the medium / vacuum wavelength, > 0
 /// @param m  index of the sphere over that of the medium, n + ik with n >= 0, k >= 0, not 0
 ///
-/// Nothing cancels for small spheres, neither in q_sca nor in q_abs beside it. Accuracy for x in [1e-6, 1e4]: 1e-12 of
+/// There is no cancellation for small spheres, neither in q_sca nor in q_abs. Accuracy for x in [1e-6, 1e4]: 1e-12 of
 /// q_sca and q_abs, except 1e-14 / |m - 1| where m is nearly 1, and what a change of x by its last bit makes of a sharp
-/// resonance (tests/nacre/optics/mie_test.cpp, in 50 digits). Takes a time of x + |m| x: 1 us at x = 1, 1 ms at 1e4.
+/// resonance (tests/nacre/optics/mie_test.cpp, in 50 digits). The time is proportional to x + |m| x: 1 us at x = 1, 1
+/// ms at 1e4.
 MieSphere mie_sphere(double x, std::complex<double> m);
 
-/// How many coefficients a sphere has. Beyond, |a_n| and |b_n| are of the size of 1e-12: not only their squares,
+/// The number of coefficients of a sphere. Beyond it, |a_n| and |b_n| are about 1e-12: not only their squares,
 /// which Wiscombe 1980 (Applied Optics 19, 1505-1509) goes by with 4 cube roots of x instead of 6.
 int mie_terms(double x);
 

@@ -26,21 +26,20 @@ struct Palette {
     double shape = default_shape;
 
     /// The p with which some straight line in (3.2.5) follows the Bragg law of solid chitin (n = 1.56) best over 0-90
-    /// degrees: within 0.2 % of the peak at the normal. n = 1.25 would want 0.77 and n = 1.83 0.92; layers of air want
-    /// less.
+    /// degrees: within 0.2 % of the peak at the normal. n = 1.25 needs 0.77 and n = 1.83 needs 0.92; layers with air
+    /// need less.
     static constexpr double default_shape = 0.88;
 
     friend bool operator==(const Palette&, const Palette&) = default;
 };
 
-/// Angles that are closer than this count as one: nobody means two colours so near each other, and the slope between
-/// them means nothing.
+/// Closer angles count as one, because the slope between them would be meaningless.
 inline constexpr double smallest_pick_distance_deg = 1e-9;
 
 /// Y(a) - Y(b) without cancellation: cos a - cos b = -2 sin((a + b) / 2) sin((a - b) / 2).
 double shape_difference(double shape, const Incidence& a, const Incidence& b);
 
-/// A palette made ready to be asked at many angles.
+/// A palette prepared for evaluation at many angles.
 class PaletteCurve {
 public:
     /// @pre picks at one angle are equal; others are `smallest_pick_distance_deg` or more apart
@@ -52,7 +51,7 @@ public:
 
     /// The lobe at an angle: height clamped to [0, 1], width to >= 0.
     Lobe at(const Incidence& incidence) const;
-    /// What the formulas say, even where no surface can do it: beyond the picks the height may leave [0, 1] and the
+    /// The unclamped values of the formulas: beyond the picks the height may leave [0, 1] and the
     /// width fall below 0.
     Lobe unclamped(const Incidence& incidence) const;
 
@@ -72,11 +71,11 @@ private:
     double shape_ = 0.0;
 };
 
-/// PaletteCurve for one question.
+/// PaletteCurve for one angle.
 Lobe palette_lobe_unclamped(const Palette& palette, const Incidence& incidence);
 Lobe palette_lobe(const Palette& palette, const Incidence& incidence);
 
-/// Where a palette starts to ask for what no surface can do.
+/// The angles at which the clamping of a palette begins.
 struct ClampBounds {
     std::optional<double> below_deg;  ///< angles smaller than this are clamped
     std::optional<double> above_deg;  ///< angles larger than this are clamped

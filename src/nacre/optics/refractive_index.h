@@ -50,8 +50,8 @@ struct IndexCurve {
     std::variant<double, SampledCurve> k = 0.0;  ///< >= 0
     double first_nm = 0.0;                       ///< what is known: where both n and k are
     double last_nm = 1e6;
-    bool is_shipped = false;     ///< whether nacre brings it along, so that its name says all
-    bool holds_outside = false;  ///< whether the ends' values stand for what lies beyond
+    bool is_shipped = false;     ///< whether it is a shipped material, which its name identifies
+    bool holds_outside = false;  ///< whether the end values continue beyond the ends
 
     /// Tables are linear between their nodes, n and k each on its own.
     /// @pre wavelength_nm is in [first_nm, last_nm], or holds_outside (then the nearer end counts)

@@ -4,8 +4,8 @@
 
 namespace nacre {
 
-/// What becomes of the light at one wavelength, per polarisation: fractions of the incident power, each in [0, 1],
-/// and R + T <= 1. What is missing to 1 is absorbed.
+/// Reflected and transmitted light at one wavelength, per polarisation: fractions of the incident power, each in [0,
+/// 1], and R + T <= 1. The rest is absorbed.
 struct Response {
     double reflectance_s = 0.0;
     double reflectance_p = 0.0;

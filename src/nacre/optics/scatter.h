@@ -39,7 +39,7 @@ double hard_sphere_fraction(const Scatter& scatter);
 /// goes by. Of rayleigh, which computes none, that of the mean radius: its formulas want it to be far below 1.
 double largest_size_parameter(const Scatter& scatter, double wavelength_nm, int sizes);
 
-/// Scattering at fixed wavelengths, made ready to be asked at many angles.
+/// Scattering at fixed wavelengths, prepared for evaluation at many angles.
 ///
 /// What is seen at an angle is  albedo * phase function * (1 - exp(-optical depth)):  light that is scattered once,
 /// with the phase function's mean over the sphere being 1, so that a layer that takes all light and sends it evenly in

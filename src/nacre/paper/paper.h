@@ -7,8 +7,8 @@
 
 namespace nacre {
 
-// What nacre knows of Park & Tsuruno 2014, "A Color Palette based Interface for Biological Iridescences Rendering",
-// J. ADADA 18(1): its two specimens, and the exact optics that its approximations stand for.
+// Data of Park & Tsuruno 2014, "A Color Palette based Interface for Biological Iridescences Rendering",
+// J. ADADA 18(1): its two specimens, and the exact optics that its approximations replace.
 
 /// Layers that reflect, as the Bragg law needs them: solid ones and the air between.
 struct BraggStack {

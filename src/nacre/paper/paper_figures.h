@@ -60,7 +60,7 @@ Series paper_figure14_colours(const Specimen& specimen, const Light& light);
 /// The perfect reflector by (A.1) and (A.2): equal energy, 380-780 nm, not adapted, in linear Rec.709.
 Series paper_white();
 
-/// The light of a scene that says nothing: D65, 2 degrees.
+/// The default light of a scene: D65, 2 degrees.
 std::shared_ptr<const Light> default_light();
 
 }  // namespace nacre

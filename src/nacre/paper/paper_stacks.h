@@ -8,11 +8,11 @@
 
 namespace nacre {
 
-/// A stack of layers, solved exactly, that a specimen's palette is held against.
+/// A stack of layers, solved exactly, with which the palette of a specimen is compared.
 struct ExactStack {
     std::string name;   ///< as in column names: "perfect"
     std::string title;  ///< for legends, a few words
-    std::string facts;  ///< what it is made of, and where each number comes from and how sure it is: Markdown
+    std::string facts;  ///< its layers, with the source and the certainty of each number, in Markdown
     Stack stack;        ///< starts with a group, the period
 };
 
@@ -20,7 +20,7 @@ struct ExactStack {
 std::vector<ExactStack> exact_stacks(const Specimen& specimen);
 
 /// First-order Bragg wavelength of the stack's first group: twice the optical path through its layers, in nm.
-/// Absorption and the light that interfaces send back and forth are not in it.
+/// It ignores absorption and multiple reflections.
 double bragg_peak_nm(const Stack& stack, const Incidence& incidence);
 
 }  // namespace nacre

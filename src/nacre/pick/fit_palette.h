@@ -13,7 +13,7 @@ namespace nacre {
 /// How a palette compares with a measurement at one of its angles.
 struct AngleFit {
     double angle_deg = 0.0;
-    double measured_peak_nm = 0.0;  ///< where the spectrum is highest, among those wavelengths that are seen
+    double measured_peak_nm = 0.0;  ///< where the spectrum is highest, among visible wavelengths
     double peak_nm = 0.0;           ///< the palette's
     double de00 = 0.0;              ///< CIEDE2000 of the two colours
 };
@@ -24,12 +24,13 @@ struct PaletteFit {
     double error = 0.0;            ///< root mean square of their CIEDE2000
 };
 
-/// The palette of so many picks whose colours come nearest to those of measured spectra, at all their angles at once.
+/// The palette with a given number of picks whose colours are nearest to those of measured spectra, at all their angles
+/// together.
 ///
 /// Picks stand at measured angles, evenly spread in Y(theta) between the first and the last. Their bands begin as those
 /// of the spectra's own colours there; then bands and shape move together, by least squares of CIEDE2000's parts, and
-/// of the peak where the spectrum has one (10 nm count as much as a CIEDE2000 of 1), so that the band stays where it
-/// was measured. With as many picks as angles the shape is the default.
+/// of the peak where the spectrum has one (10 nm count as much as a CIEDE2000 of 1), so that the band stays near the
+/// measured peak. With as many picks as angles the shape is the default.
 /// @param picks  2 or more, at most as many as angles (1, if only one angle was measured)
 PaletteFit fit_palette(const MeasuredSpectra& spectra, std::size_t picks, const Light& light,
                        const LeastSquaresSolver& solve);

@@ -15,21 +15,21 @@ namespace nacre {
 
 struct Light;
 
-/// How the values of a free number are spread over its range.
+/// The distribution of the values of a free number over its range.
 enum class FreeScale {
     even,   ///< by difference
     ratio,  ///< by ratio; the range is above 0
     whole,  ///< whole numbers, by ratio; the range begins at 1 or above
 };
 
-/// A number of a mechanism that is to be found.
+/// A number of a mechanism that the search finds.
 struct FreeNumber {
     std::string name;  ///< the key of the scene: "thickness_nm"
     double low = 0.0;
     double high = 1.0;  ///< >= low
     FreeScale scale = FreeScale::even;
     std::function<void(Mechanism&, double)> set;
-    std::function<void(Mechanism&, const Index&)> set_index{};  ///< of an index: what a material would stand for
+    std::function<void(Mechanism&, const Index&)> set_index{};  ///< of an index: set to the index of a material
 
     /// The number at a place of the range, u in [0, 1].
     double at(double u) const;
@@ -37,26 +37,26 @@ struct FreeNumber {
     double place_of(double value) const;
 };
 
-/// A colour that a mechanism is to show.
+/// A colour that a mechanism should show.
 struct WantedColour {
     Geometry geometry;
     Xyz colour;           ///< relative to D65, Y = 1 for the perfect reflector
     double weight = 1.0;  ///< >= 0; of the square of its difference
 };
 
-/// Free numbers, by their indices, that change places when two parts of a mechanism do: the films and the gaps of a
-/// stack.
+/// Free numbers, by their indices, that are exchanged together with two parts of a mechanism: the films and the gaps of
+/// a stack.
 using FreeExchange = std::vector<std::pair<std::size_t, std::size_t>>;
 
-/// What is asked of a mechanism.
+/// A search for the free numbers of a mechanism.
 struct MechanismSearch {
-    Mechanism start;  ///< with all that is not free; free numbers may have any value
+    Mechanism start;  ///< with all fixed numbers; free numbers may have any value
     std::vector<FreeNumber> free;
     std::vector<WantedColour> wanted;
-    std::vector<FreeExchange> exchanges{};  ///< that are worth trying
+    std::vector<FreeExchange> exchanges{};  ///< to try
 };
 
-/// A material that nacre brings along and that is near to a free index.
+/// A shipped material that is near to a free index.
 struct NearMaterial {
     std::string key;        ///< of the free number: "index"
     std::string material;   ///< "water"
@@ -72,10 +72,10 @@ struct FoundMechanism {
     double error = 0.0;          ///< root of the weighted mean of its squares
 
     std::vector<NearMaterial> near;    ///< per free index
-    std::optional<double> near_error;  ///< what becomes of `error` with those materials, all else found anew
+    std::optional<double> near_error;  ///< `error` with those materials, after all other numbers were found again
 };
 
-/// What was asked of a scene's material, and the answers, best first.
+/// The search for a material of the scene, and its answers, best first.
 struct MaterialSearch {
     std::string material;
     MechanismSearch search;

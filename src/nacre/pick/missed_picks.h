@@ -7,14 +7,13 @@
 
 namespace nacre {
 
-/// One pick that is not met, and what is to be said of it.
+/// One pick that is not met, and its message.
 struct MissedPick {
     PickedColour picked;
-    std::string text;  ///< miss_text(), and where it stands for others, how many
+    std::string text;  ///< miss_text(); if it represents others, with their number
 };
 
-/// Of the picks that are not met, those that are worth a line: all, or of many the worst alone, which says how many
-/// more there are.
+/// The picks that are not met: all of them or, if there are many, only the worst one with the number of the others.
 std::vector<MissedPick> missed_picks(const std::vector<PickedColour>& picks);
 
 }  // namespace nacre

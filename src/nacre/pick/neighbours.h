@@ -8,22 +8,22 @@
 
 namespace nacre {
 
-/// What least squares from a start do not find: better answers near good ones.
+/// Better answers near good ones, which least squares from a start do not find.
 class Neighbours {
 public:
     /// All have to outlive this.
     Neighbours(const MechanismSearch& search, const std::function<void()>& after_step, Objective& objective)
         : search_(search), after_step_(after_step), objective_(objective) {}
 
-    /// Least squares do not move whole numbers, and at the end of a range sines stand still: neighbours in both, and
-    /// exchanged parts, as long as that helps.
+    /// Least squares do not change whole numbers, nor numbers at the end of a range, where the derivative of a sine is
+    /// 0. This tries neighbours in both, and exchanged parts, as long as the error falls.
     void polish(Rated& answer);
 
-    /// Leaps from the best few answers, shorter from round to round, each followed down: valleys that meet colours well
-    /// lie together. @param answers  the best first, also on return @param leaps  per answer and round
+    /// Perturbs the best few answers, less from round to round, and refines each result (basin hopping): good local
+    /// minima lie close together. @param answers  the best first, also on return @param leaps  per answer and round
     void wander(std::vector<Rated>& answers, int leaps);
 
-    /// The first so many of which no two lie in one valley.
+    /// The first answers, up to a number, of which no two are near the same local minimum.
     std::vector<Rated> best_apart(const std::vector<Rated>& sorted, std::size_t count) const;
 
 private:

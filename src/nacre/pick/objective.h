@@ -14,8 +14,8 @@ namespace nacre {
 /// Values of the free numbers, as places in their ranges, each in [0, 1].
 using Design = std::vector<double>;
 
-/// A design, and how far its colours are from those that are wanted: the root of the weighted mean of CIEDE2000's
-/// squares; infinity if they are no numbers.
+/// A design and its error: the root of the weighted mean of the squares of CIEDE2000 to the requested colours; infinity
+/// if they are not finite.
 struct Rated {
     Design design;
     double error = 0.0;
@@ -25,29 +25,29 @@ inline bool is_better(const Rated& one, const Rated& other) {
     return one.error < other.error;
 }
 
-/// Whether designs lie in one valley, so far as one can tell: each place differs by 0.04 at most.
+/// Whether designs are likely near the same local minimum: each place differs by 0.04 at most.
 bool are_near(const Design& one, const Design& other);
 
-/// What a search wants to become small: the misses of designs, and how to make them smaller near by.
+/// The objective of a search: the errors of designs, and local refinement.
 class Objective {
 public:
     /// All have to outlive this.
     Objective(const MechanismSearch& search, const Light& light, const LeastSquaresSolver& solve);
 
     Mechanism mechanism_of(const Design& design) const;
-    /// Of a design, what least squares cannot change.
+    /// The part of a design that least squares cannot change.
     std::vector<double> whole_numbers(const Design& design) const;
     /// With whole numbers in the middle of the places that they have: designs that differ within those are one.
     Design rounded(Design design) const;
 
     Rated rated(const Design& design, SearchDetail detail);
-    /// Down the valley that the design lies in: a few steps for the table's detail, else to the bottom as the report's
-    /// detail sees it. Whole numbers stay.
+    /// Refines a design locally: a few steps with the detail of the table, else to convergence with the detail of the
+    /// report. Whole numbers stay.
     Rated refined(const Design& start, SearchDetail detail);
-    /// The same from the bottom of a valley, with as many nodes as its own spectra want: narrow resonances beguile a
-    /// search that looks between them.
+    /// The same from a local minimum, with as many nodes as its spectra need, because coarse nodes miss narrow
+    /// resonances.
     Rated sharpened(const Design& start);
-    /// All that is told of an answer, in the detail of a report.
+    /// Everything that is reported of an answer, with the detail of a report.
     FoundMechanism judged(const Design& design);
 
 private:

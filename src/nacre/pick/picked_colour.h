@@ -13,17 +13,17 @@
 
 namespace nacre {
 
-/// A pick of a material, and what the material shows instead where it has no such colour.
+/// A picked colour of a material, and the colour that the material shows.
 struct PickedColour {
     std::size_t pick = 0;  ///< which of the material's picks
     double angle_deg = 0.0;
     std::string text;  ///< as the user wrote it: "#3a6fd0", "[0.1, 0.2, 0.4] in lin_rec709"
     Xyz colour;        ///< relative to D65
     double weight = 1.0;
-    Xyz reached;                     ///< what the material shows there, relative to D65
+    Xyz reached;                     ///< the colour that the material shows there, relative to D65
     double de00 = 0.0;               ///< between the two, both beside D65 white
-    std::optional<LobeMatch> lobe;   ///< of a palette: the band that stands for it
-    std::string mechanism = "band";  ///< what was looked for: "band", "film"
+    std::optional<LobeMatch> lobe;   ///< of a palette: its band
+    std::string mechanism = "band";  ///< what was searched: "band", "film"
     bool is_searched =
         true;  ///< whether anything was free: else the scene has all numbers, and picks are compared with
     Where where;
@@ -32,7 +32,7 @@ struct PickedColour {
     bool is_met() const;
 };
 
-/// A film, stack, grating or crystal that comes so near to a picked colour has it.
+/// A film, stack, grating or crystal with at most this error meets a picked colour.
 inline constexpr double met_de00 = 0.5;
 
 /// "exact", "met, CIEDE2000 0.03", or "misses by CIEDE2000 4.7, because ..."

@@ -14,7 +14,7 @@ struct SearchRow {
 
 const SearchRow& search_row_of(const Mechanism& mechanism);
 
-/// How much there is to make of a mechanism: layers, planes or grooves first, then nanometres. Smaller is simpler; only
+/// The complexity of a mechanism: layers, planes or grooves first, then nanometres. Smaller is simpler; only
 /// mechanisms of one kind compare. 0 for what is never searched for.
 double complexity_of(const Mechanism& mechanism);
 

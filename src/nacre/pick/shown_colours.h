@@ -12,8 +12,7 @@
 
 namespace nacre {
 
-/// How finely a mechanism's colours are computed while it is looked for: a table of thousands has to be quick, what is
-/// reported has to be right.
+/// The accuracy of colours during a search: a table of thousands must be fast, and a report must be exact.
 enum class SearchDetail { table, refinement, report };
 
 /// What computes the colours of a mechanism, and of those that differ little from it.

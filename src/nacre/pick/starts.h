@@ -9,7 +9,7 @@
 
 namespace nacre {
 
-/// Where a search begins in earnest: the best valleys of a table of designs all over the ranges.
+/// The starts of a search: the best local minima of a table of designs over the whole ranges.
 class Starts {
 public:
     /// All have to outlive this.

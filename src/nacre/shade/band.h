@@ -7,7 +7,7 @@
 
 namespace nacre {
 
-/// A band in a reflectance spectrum: what the three numbers of a lobe say of any mechanism.
+/// A band in the reflectance spectrum of any mechanism, described by the three numbers of a lobe.
 struct Band {
     double peak_nm = 0.0;               ///< where unpolarised light is reflected most
     double height = 0.0;                ///< reflectance there
@@ -20,10 +20,9 @@ struct Band {
 /// black spectra have none, nor has what is seen near grazing, where the surface alone reflects nearly everything.
 ///
 /// A scan in steps of 1/256 of that wavelength, in which one band of a stack of fifty periods is a dozen steps wide,
-/// and then ever finer scans around its highest point. Many wavelengths at once are what the solver is fast at;
-/// golden-section search asks for them one by one, and would need the same scan first.
-/// Accuracy: 0.01 nm of the peak, 1 % of the width. Irregular stacks are the mean of `band_realisations`: exact for
-/// those.
+/// and then ever finer scans around its highest point. The solver is fast at many wavelengths at once; golden-section
+/// search needs one at a time, after the same scan. Accuracy: 0.01 nm of the peak, 1 % of the width. Irregular stacks
+/// are the mean of `band_realisations`: exact for those.
 /// @param expected_nm  vacuum wavelength, > 0; the mechanism's materials are known at 0.6 to 1.6 times that
 std::optional<Band> find_band(const Mechanism& mechanism, const Incidence& incidence, double expected_nm);
 

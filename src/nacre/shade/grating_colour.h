@@ -13,7 +13,7 @@
 
 namespace nacre {
 
-/// The colour of a grating under a light, made ready to be asked for at many u = |sin theta_i + sin theta_o|.
+/// The colour of a grating under a light, prepared for evaluation at many u = |sin theta_i + sin theta_o|.
 ///
 /// XYZ(u) = integral over wavelength of the light's weights times grating_density(). Lines of many grooves are far
 /// narrower than the weights' nanometre, so nothing is sampled: over a piece of wavelength what varies slowly is a
@@ -24,9 +24,9 @@ namespace nacre {
 class GratingColour {
 public:
     /// Keeps what it needs: neither has to outlive it.
-    /// @param coarse  pieces of many nanometres, for who looks at thousands of gratings: lines stay as narrow as they
-    /// are, but what varies slowly is a parabola over so many nanometres. 12 of them err by CIEDE2000 0.002 in the
-    /// mean and 0.3 at most; null: the accuracy above
+    /// @param coarse  pieces of many nanometres, for callers that need thousands of gratings: lines stay as narrow as
+    /// they are, but everything that varies slowly is a parabola over that many nanometres. 12 of them err by CIEDE2000
+    /// 0.002 in the mean and 0.3 at most; null: the accuracy above
     GratingColour(const Grating& grating, const Light& light, std::shared_ptr<const GratingPieces> coarse = nullptr);
 
     /// Before adaptation. Per unit of u: a line's colour is that of its efficiencies times the wavelengths that a unit

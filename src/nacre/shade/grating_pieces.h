@@ -15,7 +15,7 @@ struct GratingPieces {
     std::vector<std::array<Xyz, 3>> weights;  ///< per piece, at its points: times wavelength
 };
 
-/// What coarse pieces bear of a profile's phases: 3e-3 of half the efficiency. Beyond, they are cut.
+/// The error limit of coarse pieces for the phases of a profile: 3e-3 of half the efficiency. Beyond, they are cut.
 inline constexpr double most_coarse_phase_change = 0.7;
 
 /// How far the phases of a profile so deep move over a nanometre, at most. @param first_nm  of the light

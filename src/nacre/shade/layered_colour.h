@@ -13,7 +13,7 @@
 
 namespace nacre {
 
-/// The layer system of what is perfectly even. A metal base is part of it, below an incoherent layer of what was the
+/// The layer system without random thicknesses. A metal base is part of it, below an incoherent layer of what was the
 /// substrate; any other base is not.
 /// @param blurred  nodes that are taken as incoherent
 /// @param slices   per plane of a crystal
@@ -21,8 +21,8 @@ namespace nacre {
 LayerSystem even_system(const Mechanism& mechanism, std::span<const std::size_t> blurred = {},
                         int slices = default_slices);
 
-/// The layer systems whose mean is what layers show: the even one alone, or many of uneven ones. A crystal's domains
-/// are regular, each with its own spacing.
+/// The layer systems whose mean is the colour of the layers: one without random thicknesses, or many samples of them. A
+/// crystal's domains are regular, each with its own spacing.
 /// @param realisations  at most so many systems
 /// @pre is_layered(mechanism)
 LayerEnsemble layer_ensemble(const Mechanism& mechanism, int realisations, std::span<const std::size_t> blurred = {},
@@ -31,15 +31,15 @@ LayerEnsemble layer_ensemble(const Mechanism& mechanism, int realisations, std::
 /// How many realisations are worth trying for an uneven mechanism. @pre is_layered(mechanism)
 RealisationCounts realisation_counts(const Mechanism& mechanism);
 
-/// What a diffuse base sends back of the light that has come through layers: the factor that their transmittance is
-/// multiplied by. With rho the base's reflectance, r the layers' reflectance from below and t their transmittance, both
-/// for light that comes evenly from all directions:  rho t / (1 - rho r).  Over a white base, layers that take nothing
-/// reflect everything.
+/// The factor by which the transmittance of the layers is multiplied to give the light that a diffuse base sends back
+/// through them. With rho the base's reflectance, r the layers' reflectance from below and t their transmittance, both
+/// for light that comes evenly from all directions:  rho t / (1 - rho r).  Over a white base, layers that absorb
+/// nothing reflect everything.
 /// @param points  of the quadrature over directions, on either side of the critical angle
 std::vector<double> base_factors(const Base& base, const LayerEnsemble& ensemble,
                                  std::span<const double> wavelengths_nm, int points, Work* work = nullptr);
 
-/// The colour of a film, stack or crystal, made ready to be asked at many angles.
+/// The colour of a film, stack or crystal, prepared for evaluation at many angles.
 class LayeredColour {
 public:
     /// @pre is_layered(mechanism), and the nodes are decided
@@ -68,8 +68,8 @@ private:
 /// Per plane of a crystal, wherever single reflectances are asked for.
 inline constexpr int spectrum_slices = 96;
 
-/// What becomes of light at some wavelengths, for many angles; the mean over realisations of uneven layers. Nothing
-/// passes a base.
+/// Reflectance and transmittance at some wavelengths, for many angles; the mean over samples of random thicknesses. A
+/// base transmits nothing.
 class LayeredSpectra {
 public:
     /// @pre is_layered(mechanism)

@@ -11,7 +11,7 @@
 
 namespace nacre {
 
-/// The colour of measured spectra: exact, for they are straight between their wavelengths, and so are the weights.
+/// The colour of measured spectra: exact, because spectra and weights are both linear between their nodes.
 class MeasuredColour {
 public:
     MeasuredColour(const MeasuredSpectra& spectra, const Light& light);

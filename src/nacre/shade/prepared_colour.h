@@ -17,7 +17,7 @@
 
 namespace nacre {
 
-/// What answers for a mechanism at many angles; all but its tilt.
+/// The colour of a mechanism at many angles, without its tilt.
 using PreparedColour = std::variant<PaletteColour, LayeredColour, GratingColour, ScatterColour, MeasuredColour>;
 
 /// @param light     has to outlive the result

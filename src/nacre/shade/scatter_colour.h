@@ -11,7 +11,7 @@
 
 namespace nacre {
 
-/// The colour of a scattering layer, made ready to be asked at many angles.
+/// The colour of a scattering layer, prepared for evaluation at many angles.
 class ScatterColour {
 public:
     /// @pre the mechanism is scatter, and the nodes are decided

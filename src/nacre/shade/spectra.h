@@ -15,8 +15,8 @@ namespace nacre {
 /// Reflectance spectrum of a mechanism at one angle, of the polarisation that it asks for, at the grid's nodes.
 Spectrum reflectance(const Mechanism& mechanism, const Geometry& geometry, const WavelengthGrid& grid);
 
-/// What becomes of light at some wavelengths. Palettes, gratings and measurements say nothing of polarisation (s and p
-/// are alike), and only layers without a base let anything through (else T = 0). Of uneven layers the mean of
+/// What becomes of light at some wavelengths. Palettes, gratings and measurements have no polarisation (s and p are
+/// equal), and only layers without a base transmit light (else T = 0). Of uneven layers the mean of
 /// `spectrum_realisations` is taken, of spheres that of `spectrum_sizes` radii, of tilted facets the mean over them. Of
 /// a grating it is power per unit of u, of scattering the fraction seen (see scatter.h): either may exceed 1.
 /// @param wavelengths_nm  vacuum wavelengths, > 0, where the mechanism's materials are known

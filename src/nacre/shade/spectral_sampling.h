@@ -16,19 +16,20 @@
 
 namespace nacre {
 
-/// Angles in bands, by their cosine: towards grazing every face is a mirror, fringes become sharp, and a spectrum wants
-/// more nodes. Scattering knows the first band only.
+/// Angles in bands, by their cosine: towards grazing every face is a mirror, fringes become narrow, and a spectrum
+/// needs more nodes. Scattering uses the first band only.
 inline constexpr std::array<double, 4> band_least_cos_theta{0.3, 0.05, 0.004, 0.0};
 using NodeCounts = std::array<int, band_least_cos_theta.size()>;
 std::size_t band_of(const Incidence& incidence);
 
-/// How colours that are no closed form are computed: where spectra are sampled, and how effects that are integrals are.
+/// The sampling of colours that have no closed form: the nodes of spectra, and the points of effects that are
+/// integrals.
 inline constexpr int default_slices = 24;
 
 struct SpectralSampling {
     std::array<std::shared_ptr<const SpectralNodes>, band_least_cos_theta.size()> nodes;  ///< null: not decided
     int realisations = 1;  ///< of uneven layers: layer systems whose mean is taken
-    /// Layers that are so thick that eye and light blur their fringes to the last: taken as incoherent. Nodes of the
+    /// Layers so thick that their fringes cannot be seen; they are computed as incoherent. Nodes of the
     /// layer system.
     std::vector<std::size_t> blurred;
     /// Of a tilted surface: what one facet shows, before adaptation; null: made when it is asked for.
@@ -42,7 +43,7 @@ struct SpectralSampling {
     NodeCounts node_counts() const;
 };
 
-/// Whether a mechanism's spectra are sampled at nodes: only then is there anything of a SpectralSampling to decide.
+/// Whether a mechanism's spectra are sampled at nodes: only then does a SpectralSampling have anything to choose.
 bool samples_spectra(const Mechanism& mechanism);
 /// Whether it is a mean over realisations.
 bool is_irregular(const Mechanism& mechanism);
@@ -54,11 +55,11 @@ double fringe_count(const LayerSystem& system, const LightSettings& light);
 /// path times the range of wavenumbers. 0 for what is not made of layers. Incoherent layers do not count.
 double fringe_count(const Mechanism& mechanism, const LightSettings& light);
 
-/// What a reflectance at one wavelength takes, in units of a film's.
+/// The cost of a reflectance at one wavelength, in units of that of a film.
 /// @param slices  per plane of a crystal
 double effort_per_sample(const Mechanism& mechanism, int slices = default_slices);
 
-/// Beyond this no grid of ours resolves them: a coherent slab of some 7 mm of glass.
+/// The largest number that the grids resolve: a coherent slab of about 7 mm of glass.
 inline constexpr double most_fringes = 32768.0;
 inline constexpr int most_nodes = 1 << 17;
 

@@ -24,10 +24,10 @@ struct TiltPoints {
 ///
 /// A facet's normal is off the surface's by tau with density exp(-tau^2 / (2 tilt^2)) per solid angle, tau < 90
 /// degrees; what is seen of it goes with the cosine of the angle at which it is seen; facets that are turned away are
-/// not seen. Nothing is said of shadows and of light that goes from facet to facet.
+/// not seen. Shadows and light between facets are left out.
 ///
 /// The integral is taken by Gauss-Legendre rules around the surface's normal, over the part of every ring that is
-/// visible; rings begin anew at the tilt at which parts of them turn away, so that no rule meets a bend.
+/// visible; the rings are split at the tilt at which parts of them turn away, so that no rule spans a kink.
 struct Facet {
     double cos_theta = 1.0;  ///< at which it is seen
     double share = 0.0;      ///< of what is seen in all

@@ -7,7 +7,7 @@
 
 namespace nacre {
 
-/// What a computation consisted of. Counted rather than timed, so that the same job has the same numbers anywhere.
+/// The work of a computation. It is counted and not timed, so that the same job has the same numbers on every machine.
 struct Work {
     std::uint64_t exact_integrals = 0;  ///< lobes integrated in closed form
     std::uint64_t fast_integrals = 0;   ///< lobes integrated by running moments
@@ -16,7 +16,7 @@ struct Work {
     std::uint64_t texels = 0;           ///< of all LUTs that were computed, trials too
     std::uint64_t probes = 0;           ///< points at which a LUT's colour was compared with the model's
     std::uint64_t references = 0;       ///< points at which it was compared with the independent reference
-    EffectWorks effects{};              ///< what each effect had in it
+    EffectWorks effects{};              ///< the work of each effect
 
     friend bool operator==(const Work&, const Work&) = default;
 };

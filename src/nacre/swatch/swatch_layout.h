@@ -56,14 +56,14 @@ Panel bake_panel(const Job& job, const PlotArea& area);
 
 /// The frame, the ticks with their labels and the title of the x axis.
 void draw_x_axis(Swatch& swatch, const PlotArea& area, const Axis& axis, const std::string& title);
-/// The same for y; its title stands above the axis, so that nobody has to tilt the head.
+/// The same for y; its title stands above the axis, so that it can be read horizontally.
 void draw_y_axis(Swatch& swatch, const PlotArea& area, const Axis& axis, const std::string& title);
 void draw_frame(Swatch& swatch, const PlotArea& area);
 
-/// The square that means a pick: white, outlined dark.
+/// The mark of a pick, a square: white, outlined dark.
 void draw_pick(Swatch& swatch, Point centre, double side_px = 20.0);
 
-/// The title, and dim at its right under which light all this is seen.
+/// The title, and at its right, dimmed, the light.
 void draw_title(Swatch& swatch, const std::string& title, const Job& job, int left, int right);
 
 }  // namespace nacre

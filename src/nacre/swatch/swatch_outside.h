@@ -10,7 +10,7 @@
 
 namespace nacre {
 
-/// The colour space of a scene's LUTs, as pictures of LUTs know it: the core has no OpenColorIO.
+/// The colour space of the LUTs of a scene, for pictures of LUTs, because the core has no OpenColorIO.
 struct LutSpace {
     std::string name;
     std::function<Image<Rgb>(const Image<Xyz>&)>

@@ -55,7 +55,7 @@ struct Text {
     int size_px = 22;
     Align align = Align::left;
     double grey = 1.0;
-    double max_width_px = 0.0;  ///< set smaller, then shortened, to fit; 0: as wide as it is
+    double max_width_px = 0.0;  ///< set smaller, then shortened, to fit; 0: no limit
     bool halo = false;          ///< a dark rim, for text over colours
 };
 
@@ -66,10 +66,10 @@ struct Panel {
     int left = 0;
     int top = 0;
     Image<Xyz> image;
-    bool is_exact = false;  ///< shown as it is, clipped where the display ends: never bent into its gamut
+    bool is_exact = false;  ///< shown as it is and clipped to the display, never compressed into its gamut
 };
 
-/// A picture that knows nothing of displays, fonts and files: what is where, in pixels.
+/// A picture without displays, fonts and files: shapes with their places in pixels.
 struct Swatch {
     int width = 0;
     int height = 0;

@@ -24,8 +24,8 @@ namespace nacre {
 ///     scattering  light / distance^2 * n.l / (n.l + n.v) * 2 C(-l.v)      (Lommel and Seeliger)
 ///
 /// with l towards the lamp from each point, b along the grooves, which are circles around an axis that leans towards
-/// the eye, t across them; body is the dull grey of the metal, without which one would see a few arcs in the dark. A
-/// grating has three lamps, for more arcs; scattering one.
+/// the eye, t across them; body is the dull grey of the metal, without which only a few arcs in the dark would be
+/// visible. A grating has three lamps, for more arcs; scattering one.
 struct Ball {
     double centre_x = 0.0;  ///< pixels
     double centre_y = 0.0;

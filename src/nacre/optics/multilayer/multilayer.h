@@ -16,9 +16,9 @@ struct PreparedLayers;
 
 /// Reflectance and transmittance of plane-parallel layers at one wavelength and angle; exact, all bounces.
 ///
-/// The simple twin of MultilayerSolver, layer by layer in std::complex, repeats walked through one by one. Tangential
-/// fields are carried from the substrate up: (E, H) with cos a, sin a / q and q sin a, a = 2 pi d q / wavelength,
-/// scaled by exp(-|Im a|) (Born & Wolf, Principles of Optics, 7th ed., section 1.6, written with n + ik and
+/// The scalar reference implementation of MultilayerSolver, layer by layer in std::complex, with every repeat computed.
+/// Tangential fields are carried from the substrate up: (E, H) with cos a, sin a / q and q sin a, a = 2 pi d q /
+/// wavelength, scaled by exp(-|Im a|) (Born & Wolf, Principles of Optics, 7th ed., section 1.6, written with n + ik and
 /// exp(-i omega t)). Incoherent layers add intensities (Harbecke 1986, Appl. Phys. B 39, 165-170).
 ///
 /// At 90 degrees exactly the result is the limit from below.
@@ -28,9 +28,9 @@ Response multilayer_response(const LayerSystem& system, const Incidence& inciden
 
 /// The same at many wavelengths at once, prepared for many angles.
 ///
-/// Indices are sampled once. Wavelengths go through SIMD lanes (Highway, the best that the machine has); layers without
-/// absorption are computed in real numbers at angles at which nothing is evanescent; groups of equal periods are
-/// powers of their matrix, by repeated squaring with scaling.
+/// Indices are sampled once. Wavelengths are SIMD lanes (Highway, the best instruction set of the machine); layers
+/// without absorption are computed in real numbers at angles at which nothing is evanescent; groups of equal periods
+/// are powers of their matrix, by repeated squaring with scaling.
 class MultilayerSolver {
 public:
     /// @param wavelengths_nm  vacuum wavelengths, > 0, in any order
@@ -40,7 +40,7 @@ public:
     void responses(const Incidence& incidence, std::span<Response> out) const;
 
     /// The sums over wavelengths of weight times reflectance, without storing the spectrum. One polarisation takes
-    /// about 0.7 of the time of their mean: sines and cosines are common to both.
+    /// about 0.7 of the time of the mean of both, which share sines and cosines.
     /// @param weights  three arrays, of padded_count() numbers each; those beyond count() are 0
     std::array<double, 3> weighted_reflectances(const Incidence& incidence, const std::array<const double*, 3>& weights,
                                                 Polarisation polarisation = Polarisation::mean) const;

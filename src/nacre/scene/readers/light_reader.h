@@ -11,7 +11,7 @@
 
 namespace nacre {
 
-/// How the core asks for a table of spectral power. The front end finds the file beside the scene; a curve that comes
+/// Reads a table of spectral power for the core. The front end finds the file beside the scene; a curve that comes
 /// back ascends and is finite. Throws Error or IoError.
 using CurveReader = std::function<SampledCurve(const std::string& file, const Where& where)>;
 

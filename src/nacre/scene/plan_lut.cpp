@@ -1,3 +1,4 @@
+// [lut.NAME]: one LUT. Its material comes first, because the axes are the material's; then the size and the outputs.
 #include <algorithm>
 #include <cstddef>
 
@@ -12,6 +13,7 @@ namespace nacre {
 namespace {
 
 constexpr Allowed allowed_size{2, largest_lut_size, "texels"};
+// Chosen: well below the 255 bytes of file systems, with room for suffixes.
 constexpr std::size_t longest_name = 100;
 
 // What a fixed quantity is called.
@@ -52,12 +54,11 @@ void check_axes_differ(const Job& job, const Table& table, const Where& where) {
 }
 
 void read_fixed_angle(const Table& table, Job& job) {
-    const bool has_angle = job.x.is_angle() || (job.y && job.y->is_angle());
     const Quantity quantity = quantity_of(job.material.mechanism);
     const auto [key, allowed] = fixed_key(quantity);
     const Value* value = table.find(key);
     if (value == nullptr) return;
-    if (has_angle) {
+    if (job.has_angle()) {
         table.fail(value->where, std::string(key) + " is fixed, but an axis is " +
                                      (quantity == Quantity::incidence ? "the angle" : std::string(key)) +
                                      "; leave one of them out");
@@ -92,6 +93,14 @@ void read_outputs(const Table& table, PlannedLut& lut) {
     }
     if (lut.outputs.empty())
         table.fail(value->where, "outputs is empty; known: " + comma_separated(names_of(output_words)));
+}
+
+// Where an axis may lead to.
+void check_fringes_of_axes(const Table& table, const Job& job) {
+    if (!job.moves_material()) return;
+    for (const double x : {0.0, 1.0}) {
+        for (const double y : {0.0, 1.0}) check_fringes(table, mechanism_at(job, x, y), job.light->settings);
+    }
 }
 
 }  // namespace
@@ -144,14 +153,14 @@ AccuracyWish default_wish(const AccuracySettings& accuracy, bool has_y) {
     return wish;
 }
 
-PlannedLut read_lut(const Table& table, const Table::Entry& entry, Materials& materials,
-                    const std::shared_ptr<const Light>& light, const AccuracySettings& accuracy) {
+PlannedLut read_lut(const Table::Entry& entry, const SceneParts& parts) {
+    const Table& table = *std::get<std::shared_ptr<Table>>(entry.value.data);
     PlannedLut lut;
     lut.name = entry.key;
     lut.where = entry.key_where;
     Job& job = lut.job;
-    job.material = material_of(table, materials);
-    job.light = light;
+    job.material = material_of(table, parts.materials);
+    job.light = parts.light;
     job.x = default_axis(quantity_of(job.material.mechanism));
     if (const Value* x = table.find("x")) job.x = read_axis(table, "x", *x, job.material.mechanism);
     if (const Value* y = table.find("y")) {
@@ -159,9 +168,10 @@ PlannedLut read_lut(const Table& table, const Table::Entry& entry, Materials& ma
         check_axes_differ(job, table, y->where);
     }
     read_fixed_angle(table, job);
-    read_wish(table, accuracy, lut);
+    read_wish(table, parts.accuracy, lut);
     read_outputs(table, lut);
     table.expect_all_read();
+    check_fringes_of_axes(table, job);
     return lut;
 }
 

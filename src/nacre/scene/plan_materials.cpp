@@ -1,21 +1,37 @@
+// [material]: each material is read when a LUT or a swatch names it first, and checked with the scene's light.
 #include <algorithm>
 #include <utility>
 
 #include "nacre/base/names.h"
+#include "nacre/base/text.h"
+#include "nacre/lut/sampler.h"
 #include "nacre/scene/plan_tables.h"
 #include "nacre/scene/readers/mechanism_reader.h"
 
 namespace nacre {
+namespace {
 
-Materials::Materials(const Table& table, SceneContext context, Check check)
-    : table_(table), context_(std::move(context)), check_(std::move(check)) {
-    context_.note_picked = [this](const PickedColour& picked) { picked_.push_back(picked); };
-    context_.note_found = [this](const MechanismSearch& search, const std::vector<FoundMechanism>& found) {
-        searches_.push_back({"", search, found});
-    };
-    context_.note_shape = [this](const ShapeFit& fit) { shape_fit_ = fit; };
-    for (const Table::Entry& entry : table.entries()) {
-        check_name(entry.key, table, entry.key_where);
+const Table& material_table(const Table& scene) {
+    const Table* materials = scene.table("material");
+    if (materials == nullptr || materials->entries().empty())
+        scene.fail_missing("material", "a scene needs a [material.NAME]");
+    return *materials;
+}
+
+}  // namespace
+
+void check_fringes(const Table& table, const Mechanism& mechanism, const LightSettings& light) {
+    const double fringes = fringe_count(mechanism, light);
+    if (fringes <= most_fringes) return;
+    table.fail(table.where(), "the layers are so thick that " + significant_text(fringes, 3) +
+                                  " fringes lie in the light's range; allowed " + number_text(most_fringes) +
+                                  "; in a stack a thick layer may be marked incoherent = true");
+}
+
+Materials::Materials(const Table& scene, SceneContext context, LightSettings light)
+    : table_(material_table(scene)), context_(std::move(context)), light_(std::move(light)) {
+    for (const Table::Entry& entry : table_.entries()) {
+        check_name(entry.key, table_, entry.key_where);
         names_.push_back(entry.key);
     }
 }
@@ -26,15 +42,15 @@ const SceneMaterial& Materials::named(const std::string& name) {
     const auto& entries = table_.entries();
     const auto entry = std::find_if(entries.begin(), entries.end(), [&](const auto& e) { return e.key == name; });
     const Table& table = table_.checked_table(entry->key, entry->value);
-    picked_.clear();
-    const std::size_t searches = searches_.size();
-    shape_fit_.reset();
-    SceneMaterial material{{entry->key, read_mechanism(table, context_), entry->key_where}, {}, {}};
-    for (std::size_t i = searches; i < searches_.size(); ++i) searches_[i].material = entry->key;
-    material.picked = std::exchange(picked_, {});
-    material.shape_fit = std::exchange(shape_fit_, {});
+    ReadMechanism read = read_mechanism(table, context_);
     table.expect_all_read();
-    check_(table, material.mechanism);
+    check_fringes(table, read.mechanism, light_);
+    if (read.search) {
+        searches_.push_back(std::move(*read.search));
+        searches_.back().material = name;
+    }
+    SceneMaterial material{
+        {name, std::move(read.mechanism), entry->key_where}, std::move(read.picked), std::move(read.shape_fit)};
     return read_.emplace(name, std::move(material)).first->second;
 }
 

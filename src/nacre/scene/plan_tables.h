@@ -1,6 +1,5 @@
 #pragma once
 
-#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -13,7 +12,8 @@
 
 namespace nacre {
 
-// The parts of plan_scene(): one function per kind of table. All throw Error for what is wrong in it.
+// The parts of plan_scene(): one function per kind of table, each of which returns its part of the plan. All throw
+// Error for what is wrong in it.
 
 /// Names become file names on every system that an artist's files pass through.
 /// @param parent  the table that holds the name, for the message
@@ -47,48 +47,81 @@ AccuracyWish default_wish(const AccuracySettings& accuracy, bool has_y);
 /// Gives a LUT its wish, and what the wish insists on.
 void take_wish(const AccuracyWish& wish, PlannedLut& lut);
 
-/// The materials of a scene, each read when it is asked for.
+/// [light], and `wavelengths` of [accuracy]. The light has some power where it is sampled, and a white that the
+/// adaptation can start from.
+std::shared_ptr<const Light> plan_light(const Table& scene, const AccuracySettings& accuracy,
+                                        const CurveReader& read_curve);
+
+/// [colour].
+ColourSettings plan_colour(const Table& scene);
+
+/// Throws Error if a material's layers are so thick that no sampling of wavelengths resolves their fringes.
+/// @param table  the material's or the LUT's, for the message
+void check_fringes(const Table& table, const Mechanism& mechanism, const LightSettings& light);
+
+/// [material]: the materials of a scene. Each is read and checked once, when it is asked for first.
 class Materials {
 public:
-    using Check = std::function<void(const Table&, const Mechanism&)>;
-    /// @param table    of all materials; has to outlive this
-    /// @param check    called for every one that is read; throws Error
-    Materials(const Table& table, SceneContext context, Check check);
+    /// @param scene  has to outlive this
+    Materials(const Table& scene, SceneContext context, LightSettings light);
     Materials(const Materials&) = delete;
     Materials& operator=(const Materials&) = delete;
 
     const std::vector<std::string>& names() const { return names_; }
+    /// @pre the name is one of names()
     const SceneMaterial& named(const std::string& name);
     /// Those that were asked for, in the scene's order.
     std::vector<SceneMaterial> read() const;
-    /// Of these, what picks led to.
+    /// Of these, what picks led to, in the order in which they were asked for.
     const std::vector<MaterialSearch>& searches() const { return searches_; }
 
 private:
     const Table& table_;
     SceneContext context_;
-    Check check_;
-    std::vector<PickedColour> picked_;   // of the material that is being read
-    std::optional<ShapeFit> shape_fit_;  // likewise
-    std::vector<MaterialSearch> searches_;
+    LightSettings light_;
     std::vector<std::string> names_;
     std::map<std::string, SceneMaterial> read_;
+    std::vector<MaterialSearch> searches_;
 };
 
 /// The material that the key `material` names, or the only one that there is.
 const SceneMaterial& material_of(const Table& table, Materials& materials);
 
+/// What LUTs and swatches refer to.
+struct SceneParts {
+    const Table& scene;
+    AccuracySettings accuracy;
+    std::shared_ptr<const Light> light;
+    Materials& materials;
+};
+
 /// One [lut.NAME].
-PlannedLut read_lut(const Table& table, const Table::Entry& entry, Materials& materials,
-                    const std::shared_ptr<const Light>& light, const AccuracySettings& accuracy);
+PlannedLut read_lut(const Table::Entry& entry, const SceneParts& parts);
 
-/// How a swatch asks for the LUT that it shows: null if there is none of that name; then `known` has those that there
-/// are.
-using LutFinder = std::function<const PlannedLut*(const std::string& name, std::vector<std::string>& known)>;
+/// [lut], or one LUT per material in a scene without that table.
+struct PlannedLuts {
+    std::vector<std::string> names;  ///< of all that the scene has
+    std::vector<PlannedLut> luts;    ///< those that are wanted
+};
+PlannedLuts plan_luts(const SceneParts& parts, const PlanRequest& request);
 
-/// One [swatch.NAME].
-/// @param find_lut  a LUT by its name, null if there is none
-PlannedSwatch read_swatch(const Table& table, const Table::Entry& entry, Materials& materials,
-                          const std::shared_ptr<const Light>& light, const LutFinder& find_lut);
+/// One LUT by its name, whether it is wanted or not; nothing if the scene has none of that name.
+std::optional<PlannedLut> find_lut(const SceneParts& parts, const std::string& name);
+
+/// [swatch].
+struct PlannedSwatches {
+    std::vector<std::string> names;  ///< of all that the scene has
+    std::vector<PlannedSwatch> swatches;
+};
+/// @param lut_names  for the message about an unknown one
+PlannedSwatches plan_swatches(const SceneParts& parts, const PlanRequest& request,
+                              const std::vector<std::string>& lut_names);
+
+/// What a plan allows although it is hardly meant.
+std::vector<std::string> warnings_of(const Plan& plan);
+
+/// The picked colours that their material does not show: those that were searched for, or, `if_given`, also those of
+/// materials whose numbers are all given. With the place of each.
+std::vector<std::string> missed_pick_messages(const Plan& plan, bool if_given);
 
 }  // namespace nacre

@@ -2,12 +2,11 @@
 
 #include <functional>
 #include <string>
+#include <vector>
 
 #include "nacre/colour/light.h"
 #include "nacre/optics/measured_spectra.h"
-#include "nacre/pick/fit_shape.h"
 #include "nacre/pick/mechanism_search.h"
-#include "nacre/pick/picked_colour.h"
 #include "nacre/scene/readers/index_reader.h"
 #include "nacre/scene/readers/light_reader.h"
 #include "nacre/scene/readers/pick_reader.h"
@@ -26,12 +25,6 @@ struct SceneContext {
     PickReaders picks{};
     /// Looks for mechanisms that show given colours, best first; at least one.
     std::function<std::vector<FoundMechanism>(const MechanismSearch&)> find_mechanisms{};
-    /// Called for every pick that is a colour.
-    std::function<void(const PickedColour&)> note_picked{};
-    /// Called with what was found for a material's picks.
-    std::function<void(const MechanismSearch&, const std::vector<FoundMechanism>&)> note_found{};
-    /// Called for a palette whose shape was fitted.
-    std::function<void(const ShapeFit&)> note_shape{};
 };
 
 }  // namespace nacre

@@ -21,7 +21,7 @@
 #include "nacre/lut/bake.h"
 #include "nacre/scene/plan.h"
 #include "nacre/scene/readers/axis_reader.h"
-#include "nacre/scene/readers/base_reader.h"
+#include "nacre/scene/readers/smooth_rgb.h"
 #include "nacre/shade/layered_colour.h"
 #include "nacre/shade/spectra.h"
 

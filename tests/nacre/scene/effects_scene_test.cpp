@@ -15,8 +15,8 @@
 #include "nacre/lut/planned_lut.h"
 #include "nacre/material/mechanism.h"
 #include "nacre/scene/plan.h"
-#include "nacre/scene/readers/base_reader.h"
 #include "nacre/scene/readers/mechanism_reader.h"
+#include "nacre/scene/readers/smooth_rgb.h"
 #include "nacre/scene/scene_context.h"
 #include "support/folders.h"
 
@@ -42,7 +42,7 @@ public:
         const SceneContext context{{find_material, first_nm_, last_nm_},
                                    [&](const std::string& file, const Where&) { return read_curve_csv(path(file)); },
                                    [&](const std::string& file, const Where&) { return read_spectra_csv(path(file)); }};
-        Mechanism mechanism = read_mechanism(material, context);
+        Mechanism mechanism = read_mechanism(material, context).mechanism;
         material.expect_all_read();
         return mechanism;
     }

@@ -1,8 +1,10 @@
+// x and y of a LUT: the angle in one of its forms, or a parameter of the material.
 #include "nacre/scene/readers/axis_reader.h"
 
 #include <algorithm>
 #include <string>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include "nacre/base/error.h"
@@ -28,65 +30,60 @@ std::vector<std::string> kind_names(Quantity quantity) {
     return names;
 }
 
-// A palette whose picks differ must not pass through a state in which two of them share an angle.
-void check_angles_stay_apart(const Axis& axis, const Table& table, const Where& where, const Mechanism& mechanism) {
-    const auto* palette = std::get_if<Palette>(&mechanism);
-    if (palette == nullptr || !axis.parameter.name.ends_with("].angle_deg")) return;
-    const auto [low, high] = std::minmax(axis.from, axis.to);
-    for (std::size_t i = 0; i < palette->picks.size(); ++i) {
-        if ("picks[" + std::to_string(i) + "].angle_deg" == axis.parameter.name) continue;
-        const double angle_deg = palette->picks[i].angle_deg;
-        if (angle_deg > low - smallest_pick_distance_deg && angle_deg < high + smallest_pick_distance_deg) {
-            table.fail(where, axis.parameter.name + " from " + number_text(axis.from) + " to " + number_text(axis.to) +
-                                  " passes picks[" + std::to_string(i) + "] at " + number_text(angle_deg) +
-                                  " degrees; two picks at one angle have no colour between them");
-        }
+// "cos_theta": an axis of the quantity that the mechanism's colour depends on.
+Axis read_geometric_axis(const Table& lut, std::string_view key, const Value& value, const Mechanism& mechanism) {
+    const std::string& name = lut.checked_text(key, value);
+    const Quantity quantity = quantity_of(mechanism);
+    const AxisKind* kind = find_kind(name);
+    if (kind != nullptr && kind->quantity == quantity) return {kind, {}, 0.0, 1.0};
+    const std::string what = kind == nullptr ? "unknown axis " + in_quotes(name)
+                                             : "axis " + in_quotes(name) + " means nothing for mechanism " +
+                                                   std::string(mechanism_name(mechanism));
+    lut.fail(value.where, what + "; known: " + comma_separated(kind_names(quantity)) +
+                              ", or { parameter = \"...\", from = ..., to = ... }");
+}
+
+// The axis over a parameter of that name, or the names of all that there are.
+std::variant<Axis, std::vector<std::string>> find_parameter(const Mechanism& mechanism, std::string_view name) {
+    std::vector<std::string> known;
+    for (Parameter& parameter : parameters_of(mechanism)) {
+        if (parameter.name == name) return Axis{nullptr, std::move(parameter), 0.0, 1.0};
+        known.push_back(parameter.name);
     }
+    return known;
+}
+
+std::string no_parameter(const Mechanism& mechanism, std::string_view name, const std::vector<std::string>& known) {
+    return "mechanism " + std::string(mechanism_name(mechanism)) + " has no parameter " + in_quotes(name) +
+           "; known: " + comma_separated(known);
 }
 
 }  // namespace
 
 Axis parameter_axis(const Mechanism& mechanism, std::string_view name, double from, double to) {
-    std::vector<std::string> known;
-    for (Parameter& parameter : parameters_of(mechanism)) {
-        if (parameter.name == name) return {nullptr, std::move(parameter), from, to};
-        known.push_back(parameter.name);
-    }
-    throw Error("mechanism " + std::string(mechanism_name(mechanism)) + " has no parameter " + in_quotes(name) +
-                "; known: " + comma_separated(known));
+    auto found = find_parameter(mechanism, name);
+    auto* axis = std::get_if<Axis>(&found);
+    if (axis == nullptr) throw Error(no_parameter(mechanism, name, std::get<std::vector<std::string>>(found)));
+    axis->from = from;
+    axis->to = to;
+    return std::move(*axis);
 }
 
 Axis read_axis(const Table& lut, std::string_view key, const Value& value, const Mechanism& mechanism) {
-    if (std::holds_alternative<std::string>(value.data)) {
-        const std::string& name = lut.checked_text(key, value);
-        Axis axis;
-        axis.kind = find_kind(name);
-        const Quantity quantity = quantity_of(mechanism);
-        if (axis.kind == nullptr || axis.kind->quantity != quantity) {
-            const std::string what = axis.kind == nullptr
-                                         ? "unknown axis " + in_quotes(name)
-                                         : "axis " + in_quotes(name) + " means nothing for mechanism " +
-                                               std::string(mechanism_name(mechanism));
-            lut.fail(value.where, what + "; known: " + comma_separated(kind_names(quantity)) +
-                                      ", or { parameter = \"...\", from = ..., to = ... }");
-        }
-        return axis;
-    }
+    if (std::holds_alternative<std::string>(value.data)) return read_geometric_axis(lut, key, value, mechanism);
     const Table& table = lut.checked_table(key, value);
     const std::string name = table.text("parameter");
-    Axis axis;
-    try {
-        axis = parameter_axis(mechanism, name, 0.0, 1.0);
-    } catch (const Error& error) {
-        table.fail_at("parameter", error.what());
-    }
+    auto found = find_parameter(mechanism, name);
+    if (const auto* known = std::get_if<std::vector<std::string>>(&found))
+        table.fail_at("parameter", no_parameter(mechanism, name, *known));
+    Axis axis = std::get<Axis>(std::move(found));
     axis.from = table.number("from", axis.parameter.allowed);
     axis.to = table.number("to", axis.parameter.allowed);
     table.expect_all_read();
     if (axis.from == axis.to) {
         table.fail_at("to", "from and to are both " + number_text(axis.to) + "; an axis needs two different ends");
     }
-    check_angles_stay_apart(axis, table, value.where, mechanism);
+    check_axis(axis, mechanism, table, value.where);
     return axis;
 }
 

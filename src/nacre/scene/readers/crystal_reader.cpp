@@ -1,8 +1,10 @@
+// A crystal of spheres, such as an opal: planes of spheres in a medium.
 #include <algorithm>
 #include <cmath>
 
 #include "nacre/base/text.h"
 #include "nacre/scene/readers/free_reader.h"
+#include "nacre/scene/readers/index_keys.h"
 #include "nacre/scene/readers/mechanism_readers.h"
 
 namespace nacre {
@@ -14,7 +16,7 @@ constexpr Allowed allowed_planes{1, 10000};
 // Of spacing over diameter. Touching spheres have 0.816; opals that are pressed flat stay well above this.
 constexpr double least_spacing = 0.6;
 
-// Where crystals are looked for.
+// Where crystals are looked for: opals and colloidal crystals whose first order is visible.
 constexpr FreeRange usual_material{1.0, 2.6};
 constexpr FreeRange usual_diameter{120.0, 600.0};
 constexpr FreeRange usual_planes{1.0, 100.0, FreeScale::whole};
@@ -25,9 +27,8 @@ double room_per_axis(const Crystal& crystal) {
     return std::sqrt(std::max(1.0, crystal.spacing_nm / (least_spacing * crystal.diameter_nm)));
 }
 
-}  // namespace
-
-Crystal read_crystal(const Table& table, const IndexReader& index) {
+ReadMechanism read_crystal(const Table& table, const SceneContext& context) {
+    const IndexReader& index = context.index;
     Crystal crystal;
     crystal.incident = read_incident(table, index);
     crystal.sphere = read_required_index(table, "sphere", index);
@@ -45,8 +46,8 @@ Crystal read_crystal(const Table& table, const IndexReader& index) {
     }
     crystal.planes = table.integer_or("planes", allowed_planes, crystal.planes);
     crystal.substrate = index.read_or(table, "substrate", crystal.medium);
-    crystal.thickness_spread_nm = table.number_or("thickness_spread_nm", allowed_spread, 0.0);
-    return crystal;
+    crystal.thickness_spread_nm = read_spread(table);
+    return {crystal};
 }
 
 MechanismSearch crystal_search(const Table& table, const IndexReader& index) {
@@ -57,7 +58,7 @@ MechanismSearch crystal_search(const Table& table, const IndexReader& index) {
     MechanismSearch search;
     Crystal crystal;
     crystal.incident = read_incident(table, index);
-    crystal.thickness_spread_nm = table.number_or("thickness_spread_nm", allowed_spread, 0.0);
+    crystal.thickness_spread_nm = read_spread(table);
     // Below the crystal there is more of what is between its spheres, unless the scene says otherwise.
     const bool has_substrate = table.find("substrate") != nullptr;
     if (has_substrate) crystal.substrate = index.read_or(table, "substrate", crystal.medium);
@@ -78,7 +79,8 @@ MechanismSearch crystal_search(const Table& table, const IndexReader& index) {
     return search;
 }
 
-std::vector<Parameter> crystal_parameters(const Crystal& crystal) {
+std::vector<Parameter> crystal_parameters(const Mechanism& mechanism) {
+    const auto& crystal = std::get<Crystal>(mechanism);
     std::vector<Parameter> parameters;
     const auto add = [&](std::string_view name, std::string_view description, const Allowed& allowed,
                          double Crystal::*member) {
@@ -107,7 +109,8 @@ std::vector<Parameter> crystal_parameters(const Crystal& crystal) {
     return parameters;
 }
 
-std::string crystal_toml(const Crystal& crystal) {
+std::string crystal_toml(const Mechanism& mechanism) {
+    const auto& crystal = std::get<Crystal>(mechanism);
     std::string text = "mechanism = \"crystal\"\nincident = " + index_toml(crystal.incident) +
                        "\nsphere = " + index_toml(crystal.sphere) + "\nmedium = " + index_toml(crystal.medium) +
                        "\ndiameter_nm = " + number_text(crystal.diameter_nm) + "\n";
@@ -117,5 +120,22 @@ std::string crystal_toml(const Crystal& crystal) {
         text += "thickness_spread_nm = " + number_text(crystal.thickness_spread_nm) + "\n";
     return text;
 }
+
+const Index& crystal_substrate(const Mechanism& mechanism) {
+    return std::get<Crystal>(mechanism).substrate;
+}
+
+}  // namespace
+
+const MechanismReader crystal_reader{
+    .read = read_crystal,
+    .search = crystal_search,
+    .parameters = crystal_parameters,
+    .toml = crystal_toml,
+    .substrate = crystal_substrate,
+    .warning = nullptr,
+    .check_axis = nullptr,
+    .refusals = {.orders = no_orders},
+};
 
 }  // namespace nacre

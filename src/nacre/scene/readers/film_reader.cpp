@@ -1,26 +1,28 @@
+// A film: one layer on a substrate.
 #include "nacre/base/text.h"
 #include "nacre/scene/readers/free_reader.h"
+#include "nacre/scene/readers/index_keys.h"
 #include "nacre/scene/readers/mechanism_readers.h"
 
 namespace nacre {
 namespace {
 
-// Thicker films look white.
+// Where thicknesses are looked for. Thicker films show so many orders that they look white.
 constexpr FreeRange usual_thickness{0.0, 1500.0};
 
-}  // namespace
-
-Film read_film(const Table& table, const IndexReader& index) {
+ReadMechanism read_film(const Table& table, const SceneContext& context) {
+    const IndexReader& index = context.index;
     Film film;
     film.incident = read_incident(table, index);
     film.index = read_required_index(table, "index", index);
     film.thickness_nm = table.number("thickness_nm", allowed_thickness);
     film.substrate = index.read_or(table, "substrate", film.incident);
     film.thickness_spread_nm = read_spread(table);
-    return film;
+    return {film};
 }
 
-std::vector<Parameter> film_parameters(const Film& film) {
+std::vector<Parameter> film_parameters(const Mechanism& mechanism) {
+    const auto& film = std::get<Film>(mechanism);
     std::vector<Parameter> parameters;
     parameters.push_back({"thickness_nm", "thickness", allowed_thickness,
                           [](Mechanism& m, double value) { std::get<Film>(m).thickness_nm = value; }});
@@ -34,7 +36,8 @@ std::vector<Parameter> film_parameters(const Film& film) {
     return parameters;
 }
 
-std::string film_toml(const Film& film) {
+std::string film_toml(const Mechanism& mechanism) {
+    const auto& film = std::get<Film>(mechanism);
     std::string text = "mechanism = \"film\"\nincident = " + index_toml(film.incident) +
                        "\nindex = " + index_toml(film.index) + "\nthickness_nm = " + number_text(film.thickness_nm) +
                        "\nsubstrate = " + index_toml(film.substrate) + "\n";
@@ -56,5 +59,22 @@ MechanismSearch film_search(const Table& table, const IndexReader& index) {
                  [](Mechanism& m, const Index& value) { std::get<Film>(m).substrate = value; });
     return search;
 }
+
+const Index& film_substrate(const Mechanism& mechanism) {
+    return std::get<Film>(mechanism).substrate;
+}
+
+}  // namespace
+
+const MechanismReader film_reader{
+    .read = read_film,
+    .search = film_search,
+    .parameters = film_parameters,
+    .toml = film_toml,
+    .substrate = film_substrate,
+    .warning = nullptr,
+    .check_axis = nullptr,
+    .refusals = {.orders = no_orders},
+};
 
 }  // namespace nacre

@@ -1,83 +1,16 @@
+// The keys of a mechanism that picks are to lead to: what is given is fixed, all else is searched.
 #include "nacre/scene/readers/free_reader.h"
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+#include <cstddef>
+#include <string>
 #include <utility>
+#include <vector>
 
-#include "nacre/base/error.h"
-#include "nacre/base/names.h"
 #include "nacre/base/text.h"
-#include "nacre/scene/readers/mechanism_readers.h"
-#include "nacre/scene/readers/pick_reader.h"
 
 namespace nacre {
-namespace {
-
-constexpr Allowed allowed_angle{0.0, 90.0, "degrees"};
-constexpr Allowed allowed_u{0.0, 2.0};
-constexpr Allowed allowed_weight{1e-6, 1e6};
-constexpr std::size_t most_wanted = 100;
-
-PickedColour read_band(const Table& pick, const PickReaders& readers) {
-    if (pick.find("peak_nm") == nullptr)
-        pick.fail_missing("colour", "give \"#rrggbb\", [r, g, b], or a band: peak_nm, width_nm, height");
-    const Lobe lobe = read_lobe(pick);
-    PickedColour picked;
-    picked.text = "a band of " + number_text(lobe.peak_nm) + " nm, " + number_text(lobe.width_nm) + " nm wide, " +
-                  number_text(lobe.height) + " high";
-    picked.where = pick.where();
-    picked.colour = readers.lobe_colour(lobe);
-    return picked;
-}
-
-Geometry read_place(const Table& pick, Quantity quantity, double& angle_deg) {
-    if (quantity != Quantity::grating_u) {
-        angle_deg = pick.number("angle_deg", allowed_angle);
-        return Incidence::from_degrees(angle_deg);
-    }
-    const Value* u = pick.find("grating_u");
-    const Value* angle = pick.find("angle_deg");
-    if (u != nullptr && angle != nullptr)
-        pick.fail(u->where, "angle_deg and grating_u both say where the colour is seen; leave one of them out");
-    if (u == nullptr) {
-        // Light along the normal.
-        angle_deg = pick.number("angle_deg", allowed_angle);
-        return Geometry::from_grating_u(std::sin(angle_deg * std::numbers::pi / 180.0));
-    }
-    const double value = pick.checked_number("grating_u", *u, allowed_u);
-    angle_deg = std::asin(std::min(value, 1.0)) * 180.0 / std::numbers::pi;
-    return Geometry::from_grating_u(value);
-}
-
-// { measured = FILE }: the colours of spectra at their angles. Of many, as many as a search can take.
-void read_measured_colours(const Table& table, const SceneContext& context, MechanismSearch& search,
-                           std::vector<PickedColour>& picked) {
-    constexpr std::size_t most_measured = 16;
-    const std::string file = table.text("measured");
-    table.expect_all_read();
-    const Where where = table.find("measured")->where;
-    if (quantity_of(search.start) != Quantity::incidence)
-        table.fail(where, "measured spectra are of light that is reflected as by a mirror, and a grating's is not");
-    const MeasuredSpectra spectra = context.read_spectra(file, where);
-    const std::size_t angles = spectra.angle_deg.size();
-    const std::size_t taken = std::min(angles, most_measured);
-    for (std::size_t i = 0; i < taken; ++i) {
-        const std::size_t angle = taken == 1 ? 0 : (i * (angles - 1) + (taken - 1) / 2) / (taken - 1);
-        PickedColour one;
-        one.pick = i;
-        one.angle_deg = spectra.angle_deg[angle];
-        one.text = "measured";
-        one.mechanism = mechanism_name(search.start);
-        one.where = where;
-        one.colour = context.picks.measured_colour(spectra, one.angle_deg);
-        search.wanted.push_back({Incidence::from_degrees(one.angle_deg), one.colour, 1.0});
-        picked.push_back(std::move(one));
-    }
-}
-
-}  // namespace
-
 const Table* range_of(const Table& table, std::string_view key, const Value& value) {
     if (!std::holds_alternative<std::shared_ptr<Table>>(value.data)) return nullptr;
     const Table& sub = table.checked_table(key, value);
@@ -157,60 +90,6 @@ void FreeReader::exchange(std::initializer_list<std::pair<std::string_view, std:
         if (a < free.size() && b < free.size()) exchange.emplace_back(a, b);
     }
     if (!exchange.empty()) search_.exchanges.push_back(std::move(exchange));
-}
-
-void read_wanted_colours(const Table& table, const SceneContext& context, MechanismSearch& search,
-                         std::vector<PickedColour>& picked) {
-    const Value* picks = table.find("picks");
-    if (std::holds_alternative<std::shared_ptr<Table>>(picks->data)) {
-        read_measured_colours(table.checked_table("picks", *picks), context, search, picked);
-        return;
-    }
-    const Value::Array& list = table.checked_array("picks", *picks);
-    if (list.empty() || list.size() > most_wanted) {
-        table.fail(picks->where, "picks has " + std::to_string(list.size()) + " entries; allowed 1 to " +
-                                     std::to_string(most_wanted));
-    }
-    const Quantity quantity = quantity_of(search.start);
-    for (const Value& element : list) {
-        const Table& pick = table.checked_table("picks", element);
-        double angle_deg = 0.0;
-        const Geometry place = read_place(pick, quantity, angle_deg);
-        const auto colour = read_picked_colour(pick, context.picks.colour);
-        PickedColour one = colour ? *colour : read_band(pick, context.picks);
-        one.pick = picked.size();
-        one.angle_deg = angle_deg;
-        one.mechanism = mechanism_name(search.start);
-        one.weight = pick.number_or("weight", allowed_weight, 1.0);
-        pick.expect_all_read();
-        search.wanted.push_back({place, one.colour, one.weight});
-        picked.push_back(std::move(one));
-    }
-}
-
-Mechanism find_mechanism(const Table& table, const SceneContext& context, MechanismSearch search) {
-    const auto refuse = [&](std::string_view key, const std::string& why) {
-        table.fail_at(key, std::string(key) + " and picks: " + why + "; leave one of them out");
-    };
-    if (search.start.effects.tilt_deg > 0.0)
-        refuse("tilt_deg", "picks are met by even surfaces, and facets blur what was met");
-    if (search.start.effects.both_polarisations)
-        refuse("polarisation", "picks are of one colour, and both polarisations have one each");
-    std::vector<PickedColour> picked;
-    read_wanted_colours(table, context, search, picked);
-    if (!context.find_mechanisms)
-        throw Error(table.where().text() + ": picks of a " + std::string(mechanism_name(search.start)) +
-                    " need a search, and there is none here");
-    const std::vector<FoundMechanism> found = context.find_mechanisms(search);
-    const FoundMechanism& best = found.front();
-    for (PickedColour& one : picked) {
-        one.reached = best.reached[one.pick];
-        one.de00 = best.de00[one.pick];
-        one.is_searched = !search.free.empty();
-        context.note_picked(one);
-    }
-    context.note_found(search, found);
-    return best.mechanism;
 }
 
 }  // namespace nacre

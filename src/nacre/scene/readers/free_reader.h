@@ -1,11 +1,12 @@
 #pragma once
 
+#include <functional>
 #include <initializer_list>
 #include <string_view>
 #include <utility>
 
 #include "nacre/pick/mechanism_search.h"
-#include "nacre/scene/scene_context.h"
+#include "nacre/scene/readers/index_reader.h"
 #include "nacre/scene/table.h"
 
 namespace nacre {
@@ -51,14 +52,5 @@ private:
     const IndexReader& index_;
     MechanismSearch& search_;
 };
-
-/// Reads `picks` of a mechanism other than a palette: colours, or bands of reflectance whose colours are meant, each
-/// with angle_deg (of light that falls along the normal, for gratings, which may have grating_u instead) and weight; or
-/// { measured = FILE }, the colours of measured spectra.
-void read_wanted_colours(const Table& table, const SceneContext& context, MechanismSearch& search,
-                         std::vector<PickedColour>& picked);
-
-/// The mechanism that shows a scene's picks best; all that was found is noted.
-Mechanism find_mechanism(const Table& table, const SceneContext& context, MechanismSearch search);
 
 }  // namespace nacre

@@ -1,3 +1,4 @@
+// A diffraction grating: the grooves, how the orders share the light, and which of them count.
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -20,9 +21,9 @@ constexpr Allowed allowed_azimuth{0.0, 90.0, "degrees"};
 constexpr Allowed allowed_groove_length{0.0, 1e6, "um"};
 // Of an axis: 0 stands for endless grooves, which are no neighbours of short ones.
 constexpr Allowed allowed_finite_length{1e-3, 1e6, "um"};
-constexpr std::size_t most_efficiencies = 1000;
+constexpr std::size_t most_efficiencies = 1000;  // as many as allowed_order has
 
-// Where gratings are looked for. A land of 1 - D has the orders of D.
+// Where gratings are looked for: grooves whose first order is visible. A land of 1 - D has the orders of D.
 constexpr FreeRange usual_period{400.0, 5000.0, FreeScale::ratio};
 constexpr FreeRange usual_grooves{1.0, 200.0, FreeScale::whole};
 constexpr FreeRange usual_depth{10.0, 400.0};
@@ -61,6 +62,11 @@ std::vector<double> read_efficiency(const Table& table, const Value& value) {
     return efficiency;
 }
 
+void refuse_land(const Table& table) {
+    if (const Value* land = table.find("land"))
+        table.fail(land->where, "land means nothing for a sinusoidal profile; known for lamellar");
+}
+
 void read_profile(const Table& table, Grating& grating) {
     // So that a misspelling of one is not taken for another's.
     for (const std::string_view known : {"profile", "depth_nm", "land", "efficiency"}) table.know(known);
@@ -75,8 +81,8 @@ void read_profile(const Table& table, Grating& grating) {
     grating.depth_nm = table.checked_number("depth_nm", *depth, allowed_depth);
     if (grating.profile == GratingProfile::lamellar) {
         grating.land = table.number_or("land", allowed_share, grating.land);
-    } else if (const Value* land = table.find("land")) {
-        table.fail(land->where, "land means nothing for a sinusoidal profile; known for lamellar");
+    } else {
+        refuse_land(table);
     }
 }
 
@@ -104,10 +110,6 @@ std::string efficiency_toml(const std::vector<double>& efficiency) {
     return "efficiency = [" + text + "]\n";
 }
 
-}  // namespace
-
-namespace {
-
 void read_setting(const Table& table, const IndexReader& index, Grating& grating) {
     if (const Value* coat = table.find("coat")) grating.coat = index.read(table, "coat", *coat);
     grating.orders = read_orders(table);
@@ -115,15 +117,13 @@ void read_setting(const Table& table, const IndexReader& index, Grating& grating
     grating.azimuth_deg = table.number_or("azimuth_deg", allowed_azimuth, 0.0);
 }
 
-}  // namespace
-
-Grating read_grating(const Table& table, const IndexReader& index) {
+ReadMechanism read_grating(const Table& table, const SceneContext& context) {
     Grating grating;
     grating.period_nm = table.number("period_nm", allowed_period);
     grating.grooves = table.integer_or("grooves", allowed_grooves, grating.grooves);
     read_profile(table, grating);
-    read_setting(table, index, grating);
-    return grating;
+    read_setting(table, context.index, grating);
+    return {grating};
 }
 
 MechanismSearch grating_search(const Table& table, const IndexReader& index) {
@@ -148,13 +148,14 @@ MechanismSearch grating_search(const Table& table, const IndexReader& index) {
     if (grating.profile == GratingProfile::lamellar) {
         reader.number("land", allowed_share, usual_land,
                       [](Mechanism& m, double value) { std::get<Grating>(m).land = value; });
-    } else if (const Value* land = table.find("land")) {
-        table.fail(land->where, "land means nothing for a sinusoidal profile; known for lamellar");
+    } else {
+        refuse_land(table);
     }
     return search;
 }
 
-std::vector<Parameter> grating_parameters(const Grating& grating) {
+std::vector<Parameter> grating_parameters(const Mechanism& mechanism) {
+    const auto& grating = std::get<Grating>(mechanism);
     std::vector<Parameter> parameters;
     const auto add = [&](std::string_view name, std::string_view description, const Allowed& allowed,
                          double Grating::*member) {
@@ -170,7 +171,8 @@ std::vector<Parameter> grating_parameters(const Grating& grating) {
     return parameters;
 }
 
-std::string grating_toml(const Grating& grating) {
+std::string grating_toml(const Mechanism& mechanism) {
+    const auto& grating = std::get<Grating>(mechanism);
     std::string text = "mechanism = \"grating\"\nperiod_nm = " + number_text(grating.period_nm) +
                        "\ngrooves = " + std::to_string(grating.grooves) + "\n";
     if (grating.profile == GratingProfile::given) {
@@ -190,5 +192,39 @@ std::string grating_toml(const Grating& grating) {
     if (grating.azimuth_deg > 0.0) text += "azimuth_deg = " + number_text(grating.azimuth_deg) + "\n";
     return text;
 }
+
+std::string grating_warning(const Mechanism& mechanism, const LightSettings& light) {
+    const auto& grating = std::get<Grating>(mechanism);
+    const std::vector<int> orders = counted_orders(grating, light.first_nm);
+    if (orders.empty()) {
+        return "no order of the grating that counts can be seen: its grooves are too close together, and everything "
+               "that shows it is black";
+    }
+    if (2.0 * share_across(grating) * grating.period_nm < orders.front() * static_cast<double>(light.first_nm)) {
+        return "no order of the grating that counts can be seen at its azimuth_deg, so far beside the plane across the "
+               "grooves, and what shows it there is black";
+    }
+    if (grating.azimuth_deg > 0.0 && grating.groove_length_um == 0.0) {
+        return "endless grooves send no light aside, and everything that shows them from azimuth_deg > 0 is black; "
+               "give groove_length_um";
+    }
+    return "";
+}
+
+}  // namespace
+
+const MechanismReader grating_reader{
+    .read = read_grating,
+    .search = grating_search,
+    .parameters = grating_parameters,
+    .toml = grating_toml,
+    .substrate = nullptr,
+    .warning = grating_warning,
+    .check_axis = nullptr,
+    .refusals = {.base = "which lets nothing through",
+                 .tilt_deg = "whose colour does not depend on an angle to facets",
+                 .polarisation = "whose orders are of scalar theory",
+                 .thickness_spread_nm = "which has no layers"},
+};
 
 }  // namespace nacre

@@ -1,7 +1,9 @@
+// Spectra that were measured at some angles: from a file, or written out.
 #include <algorithm>
 #include <array>
 #include <cstddef>
 #include <functional>
+#include <utility>
 
 #include "nacre/base/text.h"
 #include "nacre/scene/readers/mechanism_readers.h"
@@ -13,7 +15,7 @@ constexpr Allowed allowed_wavelength{1.0, 1e6, "nm"};
 constexpr Allowed allowed_angle{0.0, 90.0, "degrees"};
 // Beside a matt white standard a glossy one may have several times as much; a hundred times is a percentage.
 constexpr Allowed allowed_reflectance{0.0, 10.0};
-constexpr std::size_t most_values = 1000000;
+constexpr std::size_t most_values = 1000000;  // chosen: 8 MB, far more than any instrument gives
 
 constexpr std::array<std::string_view, 3> number_keys{"wavelength_nm", "angle_deg", "reflectance"};
 
@@ -44,6 +46,32 @@ std::vector<double> read_ascending(const Table& table, std::string_view key, con
 }
 
 // What measured_toml() writes.
+// One row per angle, one number per wavelength.
+std::vector<double> read_rows(const Table& table, const MeasuredSpectra& spectra) {
+    const std::size_t wavelengths = spectra.wavelength_nm.size();
+    const Value& rows = required(table, "reflectance", "give an array of one row per angle");
+    const Value::Array& list = table.checked_array("reflectance", rows);
+    if (list.size() != spectra.angle_deg.size()) {
+        table.fail(rows.where, "reflectance has " + std::to_string(list.size()) + " rows; give " +
+                                   std::to_string(spectra.angle_deg.size()) + ", one per angle_deg");
+    }
+    if (wavelengths * list.size() > most_values) {
+        table.fail(rows.where, "reflectance has " + std::to_string(wavelengths * list.size()) + " values; allowed " +
+                                   std::to_string(most_values));
+    }
+    std::vector<double> reflectance;
+    for (const Value& element : list) {
+        const std::vector<double> row = read_numbers(table, "reflectance", element, allowed_reflectance);
+        if (row.size() != wavelengths) {
+            table.fail(element.where, "reflectance has " + std::to_string(row.size()) + " numbers in this row; give " +
+                                          std::to_string(wavelengths) + ", one per wavelength_nm");
+        }
+        reflectance.insert(reflectance.end(), row.begin(), row.end());
+    }
+    return reflectance;
+}
+
+// What measured_toml() writes.
 MeasuredSpectra read_inline(const Table& table) {
     MeasuredSpectra spectra;
     spectra.file = table.text_or("name", "");
@@ -53,24 +81,7 @@ MeasuredSpectra read_inline(const Table& table) {
         table.fail_missing("file", "name a .csv, or give wavelength_nm, angle_deg and reflectance");
     spectra.wavelength_nm = read_ascending(table, "wavelength_nm", allowed_wavelength, 2);
     spectra.angle_deg = read_ascending(table, "angle_deg", allowed_angle, 1);
-    const Value& rows = required(table, "reflectance", "give an array of one row per angle");
-    const Value::Array& list = table.checked_array("reflectance", rows);
-    if (list.size() != spectra.angle_deg.size()) {
-        table.fail(rows.where, "reflectance has " + std::to_string(list.size()) + " rows; give " +
-                                   std::to_string(spectra.angle_deg.size()) + ", one per angle_deg");
-    }
-    if (spectra.wavelength_nm.size() * list.size() > most_values) {
-        table.fail(rows.where, "reflectance has " + std::to_string(spectra.wavelength_nm.size() * list.size()) +
-                                   " values; allowed " + std::to_string(most_values));
-    }
-    for (const Value& element : list) {
-        const std::vector<double> row = read_numbers(table, "reflectance", element, allowed_reflectance);
-        if (row.size() != spectra.wavelength_nm.size()) {
-            table.fail(element.where, "reflectance has " + std::to_string(row.size()) + " numbers in this row; give " +
-                                          std::to_string(spectra.wavelength_nm.size()) + ", one per wavelength_nm");
-        }
-        spectra.reflectance.insert(spectra.reflectance.end(), row.begin(), row.end());
-    }
+    spectra.reflectance = read_rows(table, spectra);
     return spectra;
 }
 
@@ -80,23 +91,22 @@ std::string list_text(const double* numbers, std::size_t count) {
     return text + "]";
 }
 
-}  // namespace
-
-MeasuredSpectra read_measured(const Table& table, const SpectraReader& read_spectra) {
+ReadMechanism read_measured(const Table& table, const SceneContext& context) {
     const Value* file = table.find("file");
-    if (file == nullptr) return read_inline(table);
+    if (file == nullptr) return {read_inline(table)};
     const std::string& name = table.checked_text("file", *file);
     for (const std::string_view other : {"wavelength_nm", "angle_deg", "reflectance", "name"}) {
         if (const Value* given = table.find(other))
             table.fail(given->where, "file and " + std::string(other) + " are both given; give one of them");
     }
-    if (!read_spectra) table.fail(file->where, "files cannot be read here: " + toml_string(name));
-    MeasuredSpectra spectra = read_spectra(name, file->where);
+    if (!context.read_spectra) table.fail(file->where, "files cannot be read here: " + toml_string(name));
+    MeasuredSpectra spectra = context.read_spectra(name, file->where);
     spectra.file = name;
-    return spectra;
+    return {std::move(spectra)};
 }
 
-std::string measured_toml(const MeasuredSpectra& spectra) {
+std::string measured_toml(const Mechanism& mechanism) {
+    const auto& spectra = std::get<MeasuredSpectra>(mechanism);
     const std::size_t count = spectra.wavelength_nm.size();
     std::string text = "mechanism = \"measured\"\n";
     if (!spectra.file.empty()) text += "name = " + toml_string(spectra.file) + "\n";
@@ -106,5 +116,21 @@ std::string measured_toml(const MeasuredSpectra& spectra) {
         text += "    " + list_text(spectra.reflectance.data() + i * count, count) + ",\n";
     return text + "]\n";
 }
+
+}  // namespace
+
+const MechanismReader measured_reader{
+    .read = read_measured,
+    .search = nullptr,
+    .parameters = nullptr,
+    .toml = measured_toml,
+    .substrate = nullptr,
+    .warning = nullptr,
+    .check_axis = nullptr,
+    .refusals = {.base = no_transmission,
+                 .polarisation = "which is of the light that it was measured with",
+                 .thickness_spread_nm = "which was measured with its spread",
+                 .orders = no_orders},
+};
 
 }  // namespace nacre

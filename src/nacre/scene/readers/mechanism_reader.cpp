@@ -1,3 +1,7 @@
+// Finds a material's mechanism, and lets that mechanism's own reader do the rest.
+//
+// A new mechanism has a reader file with its row (MechanismReader), and a line in row() below. The line is found by
+// type: a mechanism without one does not compile, and the compiler's message names it.
 #include "nacre/scene/readers/mechanism_reader.h"
 
 #include <algorithm>
@@ -9,41 +13,33 @@
 #include <vector>
 
 #include "nacre/base/names.h"
-#include "nacre/scene/readers/free_reader.h"
 #include "nacre/scene/readers/mechanism_readers.h"
+#include "nacre/scene/readers/search_reader.h"
 
 namespace nacre {
 namespace {
 
-// One row per mechanism, in MechanismModel's order: how it is read, and how it is looked for if there are picks.
-struct MechanismReader {
-    Mechanism (*read)(const Table&, const SceneContext&);
-    MechanismSearch (*search)(const Table&, const IndexReader&) = nullptr;
-};
-constexpr std::array mechanism_readers{
-    MechanismReader{
-        [](const Table& table, const SceneContext& context) -> Mechanism { return read_palette(table, context); }},
-    MechanismReader{
-        [](const Table& table, const SceneContext& context) -> Mechanism { return read_film(table, context.index); },
-        film_search},
-    MechanismReader{
-        [](const Table& table, const SceneContext& context) -> Mechanism { return read_stack(table, context.index); },
-        stack_search},
-    MechanismReader{
-        [](const Table& table, const SceneContext& context) -> Mechanism { return read_grating(table, context.index); },
-        grating_search},
-    MechanismReader{
-        [](const Table& table, const SceneContext& context) -> Mechanism { return read_crystal(table, context.index); },
-        crystal_search},
-    MechanismReader{[](const Table& table, const SceneContext& context) -> Mechanism {
-        return read_scatter(table, context.index);
-    }},
-    MechanismReader{[](const Table& table, const SceneContext& context) -> Mechanism {
-        return read_measured(table, context.read_spectra);
-    }},
-};
+template <typename Model>
+constexpr const MechanismReader& row() {
+    constexpr bool has_row = sizeof(Model) == 0;  // of no type
+    static_assert(has_row, "this mechanism has no reader: give it a row in mechanism_reader.cpp");
+    return palette_reader;
+}
+// clang-format off
+template <> constexpr const MechanismReader& row<Palette>() { return palette_reader; }
+template <> constexpr const MechanismReader& row<Film>() { return film_reader; }
+template <> constexpr const MechanismReader& row<Stack>() { return stack_reader; }
+template <> constexpr const MechanismReader& row<Grating>() { return grating_reader; }
+template <> constexpr const MechanismReader& row<Crystal>() { return crystal_reader; }
+template <> constexpr const MechanismReader& row<Scatter>() { return scatter_reader; }
+template <> constexpr const MechanismReader& row<MeasuredSpectra>() { return measured_reader; }
+// clang-format on
 
-static_assert(mechanism_readers.size() == std::variant_size_v<MechanismModel>, "one row per mechanism");
+template <std::size_t... Index>
+constexpr auto rows(std::index_sequence<Index...>) {
+    return std::array{&row<std::variant_alternative_t<Index, MechanismModel>>()...};
+}
+constexpr auto readers = rows(std::make_index_sequence<std::variant_size_v<MechanismModel>>());
 
 // Table::find() would offer the key for misspellings of others.
 bool has_picks(const Table& table) {
@@ -53,33 +49,22 @@ bool has_picks(const Table& table) {
 
 }  // namespace
 
-std::vector<Parameter> parameters_of(const Mechanism& mechanism) {
-    struct Visitor {
-        std::vector<Parameter> operator()(const Palette& palette) const { return palette_parameters(palette); }
-        std::vector<Parameter> operator()(const Film& film) const { return film_parameters(film); }
-        std::vector<Parameter> operator()(const Stack& stack) const { return stack_parameters(stack); }
-        std::vector<Parameter> operator()(const Grating& grating) const { return grating_parameters(grating); }
-        std::vector<Parameter> operator()(const Crystal& crystal) const { return crystal_parameters(crystal); }
-        std::vector<Parameter> operator()(const Scatter& scatter) const { return scatter_parameters(scatter); }
-        std::vector<Parameter> operator()(const MeasuredSpectra&) const { return {}; }
-    };
-    std::vector<Parameter> parameters = std::visit(Visitor{}, mechanism);
-    // Light has to get through the substrate to a base.
-    if (mechanism.effects.base) {
-        std::erase_if(parameters, [](const Parameter& parameter) { return parameter.name == "substrate.k"; });
-    }
-    for (Parameter& parameter : effect_parameters(mechanism)) parameters.push_back(std::move(parameter));
-    return parameters;
+const MechanismReader& reader_at(std::size_t index) {
+    return *readers[index];
 }
 
-Mechanism read_mechanism(const Table& table, const SceneContext& context) {
+const MechanismReader& reader_of(const Mechanism& mechanism) {
+    return reader_at(mechanism.index());
+}
+
+ReadMechanism read_mechanism(const Table& table, const SceneContext& context) {
     const std::vector<std::string> names = mechanism_names();
     const std::string name = table.text_or("mechanism", names.front());
     const auto found = std::find(names.begin(), names.end(), name);
     if (found == names.end()) {
         table.fail_at("mechanism", "unknown mechanism " + in_quotes(name) + "; known: " + comma_separated(names));
     }
-    const MechanismReader& reader = mechanism_readers[static_cast<std::size_t>(found - names.begin())];
+    const MechanismReader& reader = reader_at(static_cast<std::size_t>(found - names.begin()));
     if (reader.search != nullptr && has_picks(table)) {
         MechanismSearch search = reader.search(table, context.index);
         search.start.effects = read_effects(table, search.start, context);
@@ -88,22 +73,35 @@ Mechanism read_mechanism(const Table& table, const SceneContext& context) {
     if (reader.search == nullptr && found != names.begin() && has_picks(table)) {
         table.fail_at("picks", "picks mean nothing for " + name + "; known for palette, film, stack, grating, crystal");
     }
-    Mechanism mechanism = reader.read(table, context);
-    mechanism.effects = read_effects(table, mechanism, context);
-    return mechanism;
+    ReadMechanism read = reader.read(table, context);
+    read.mechanism.effects = read_effects(table, read.mechanism, context);
+    return read;
+}
+
+std::vector<Parameter> parameters_of(const Mechanism& mechanism) {
+    const MechanismReader& reader = reader_of(mechanism);
+    std::vector<Parameter> parameters;
+    if (reader.parameters != nullptr) parameters = reader.parameters(mechanism);
+    // Light has to get through the substrate to a base.
+    if (mechanism.effects.base) {
+        std::erase_if(parameters, [](const Parameter& parameter) { return parameter.name == "substrate.k"; });
+    }
+    for (Parameter& parameter : effect_parameters(mechanism)) parameters.push_back(std::move(parameter));
+    return parameters;
 }
 
 std::string mechanism_toml(const Mechanism& mechanism) {
-    struct Visitor {
-        std::string operator()(const Palette& palette) const { return palette_toml(palette); }
-        std::string operator()(const Film& film) const { return film_toml(film); }
-        std::string operator()(const Stack& stack) const { return stack_toml(stack); }
-        std::string operator()(const Grating& grating) const { return grating_toml(grating); }
-        std::string operator()(const Crystal& crystal) const { return crystal_toml(crystal); }
-        std::string operator()(const Scatter& scatter) const { return scatter_toml(scatter); }
-        std::string operator()(const MeasuredSpectra& spectra) const { return measured_toml(spectra); }
-    };
-    return std::visit(Visitor{}, mechanism) + effects_toml(mechanism.effects);
+    return reader_of(mechanism).toml(mechanism) + effects_toml(mechanism.effects);
+}
+
+std::string mechanism_warning(const Mechanism& mechanism, const LightSettings& light) {
+    const MechanismReader& reader = reader_of(mechanism);
+    return reader.warning == nullptr ? "" : reader.warning(mechanism, light);
+}
+
+void check_axis(const Axis& axis, const Mechanism& mechanism, const Table& table, const Where& where) {
+    const MechanismReader& reader = reader_of(mechanism);
+    if (reader.check_axis != nullptr) reader.check_axis(axis, mechanism, table, where);
 }
 
 }  // namespace nacre

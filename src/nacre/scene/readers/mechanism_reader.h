@@ -1,21 +1,42 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "nacre/colour/light.h"
+#include "nacre/lut/axis.h"
 #include "nacre/material/mechanism.h"
+#include "nacre/pick/fit_shape.h"
+#include "nacre/pick/mechanism_search.h"
+#include "nacre/pick/picked_colour.h"
 #include "nacre/scene/scene_context.h"
 #include "nacre/scene/table.h"
 
 namespace nacre {
 
+/// A mechanism as a scene gives it, and what its picks became.
+struct ReadMechanism {
+    Mechanism mechanism;
+    std::vector<PickedColour> picked{};      ///< every pick that is a colour
+    std::optional<ShapeFit> shape_fit{};     ///< of a palette that left its shape open
+    std::optional<MaterialSearch> search{};  ///< what picks of other mechanisms led to; the material's name is empty
+};
+
+/// Reads `mechanism`, that mechanism's keys, and its effects. Throws Error for anything that is wrong; the caller looks
+/// for unknown keys.
+ReadMechanism read_mechanism(const Table& table, const SceneContext& context);
+
 /// Every numeric parameter that a mechanism has, in the order in which they are offered.
 std::vector<Parameter> parameters_of(const Mechanism& mechanism);
 
-/// Reads `mechanism`, that mechanism's keys, and its effects. Throws Error for anything that is wrong or unknown.
-Mechanism read_mechanism(const Table& table, const SceneContext& context);
-
 /// What the user wrote so as to get this mechanism: the lines below a [material.NAME] heading, in TOML.
 std::string mechanism_toml(const Mechanism& mechanism);
+
+/// What is allowed although it is hardly meant: a grating without visible orders; empty if there is nothing to say.
+std::string mechanism_warning(const Mechanism& mechanism, const LightSettings& light);
+
+/// Throws Error if the mechanism means nothing somewhere on an axis, although its ends are allowed.
+void check_axis(const Axis& axis, const Mechanism& mechanism, const Table& table, const Where& where);
 
 }  // namespace nacre

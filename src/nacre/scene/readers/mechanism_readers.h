@@ -1,69 +1,63 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
+#include "nacre/lut/axis.h"
 #include "nacre/material/mechanism.h"
 #include "nacre/pick/mechanism_search.h"
+#include "nacre/scene/readers/mechanism_reader.h"
 #include "nacre/scene/scene_context.h"
 
 namespace nacre {
 
-// What mechanism.cpp has a row of per mechanism: its keys in a scene, the parameters that may be axes, and its TOML.
+/// Why a key that refines other mechanisms has no meaning for this one; empty: it has one.
+struct EffectRefusals {
+    std::string_view base{};
+    std::string_view tilt_deg{};
+    std::string_view polarisation{};
+    std::string_view thickness_spread_nm{};
+    std::string_view orders{};
+};
 
-Palette read_palette(const Table& table, const SceneContext& context);
-/// peak_nm, width_nm and height of a pick.
-Lobe read_lobe(const Table& pick);
-std::vector<Parameter> palette_parameters(const Palette& palette);
-std::string palette_toml(const Palette& palette);
+/// What scenes know of a mechanism. One row per mechanism, at the end of its own file; mechanism_reader.cpp lists them.
+struct MechanismReader {
+    ReadMechanism (*read)(const Table&, const SceneContext&);
+    /// The same keys, of which any may be free; null if picks are read by `read`, or lead nowhere.
+    MechanismSearch (*search)(const Table&, const IndexReader&);
+    /// The numbers that may be axes; null: there are none.
+    std::vector<Parameter> (*parameters)(const Mechanism&);
+    std::string (*toml)(const Mechanism&);
+    /// Through which light gets to a base; null if the mechanism has none.
+    const Index& (*substrate)(const Mechanism&);
+    /// See mechanism_warning(); null: never.
+    std::string (*warning)(const Mechanism&, const LightSettings&);
+    /// See check_axis() of mechanism_reader.h; null: every axis between allowed ends is right.
+    void (*check_axis)(const Axis&, const Mechanism&, const Table&, const Where&);
+    EffectRefusals refusals;
+};
 
-// Those that picks may lead to have a search beside their reader: the same keys, of which any may be free.
+/// Refusals that several mechanisms share.
+inline constexpr std::string_view no_orders = "which has no diffraction orders";
+inline constexpr std::string_view no_transmission = "which does not say what it lets through";
 
-Film read_film(const Table& table, const IndexReader& index);
-MechanismSearch film_search(const Table& table, const IndexReader& index);
-std::vector<Parameter> film_parameters(const Film& film);
-std::string film_toml(const Film& film);
+extern const MechanismReader palette_reader;
+extern const MechanismReader film_reader;
+extern const MechanismReader stack_reader;
+extern const MechanismReader grating_reader;
+extern const MechanismReader crystal_reader;
+extern const MechanismReader scatter_reader;
+extern const MechanismReader measured_reader;
 
-Stack read_stack(const Table& table, const IndexReader& index);
-/// Of lamellae: two materials, their thicknesses, how often they repeat. Layers that are given are all fixed.
-MechanismSearch stack_search(const Table& table, const IndexReader& index);
-std::vector<Parameter> stack_parameters(const Stack& stack);
-std::string stack_toml(const Stack& stack);
+/// The row of a mechanism, which may also be given by its index in MechanismModel.
+const MechanismReader& reader_of(const Mechanism& mechanism);
+const MechanismReader& reader_at(std::size_t index);
 
-Grating read_grating(const Table& table, const IndexReader& index);
-MechanismSearch grating_search(const Table& table, const IndexReader& index);
-std::vector<Parameter> grating_parameters(const Grating& grating);
-std::string grating_toml(const Grating& grating);
-
-Crystal read_crystal(const Table& table, const IndexReader& index);
-MechanismSearch crystal_search(const Table& table, const IndexReader& index);
-std::vector<Parameter> crystal_parameters(const Crystal& crystal);
-std::string crystal_toml(const Crystal& crystal);
-
-Scatter read_scatter(const Table& table, const IndexReader& index);
-std::vector<Parameter> scatter_parameters(const Scatter& scatter);
-std::string scatter_toml(const Scatter& scatter);
-
-MeasuredSpectra read_measured(const Table& table, const SpectraReader& read_spectra);
-std::string measured_toml(const MeasuredSpectra& spectra);
-
-// Of every mechanism: base, tilt_deg, polarisation, each refused where it has no meaning.
+// The keys that refine every mechanism: base, tilt_deg, polarisation, each refused where it has no meaning.
 
 Effects read_effects(const Table& table, const Mechanism& mechanism, const SceneContext& context);
 std::vector<Parameter> effect_parameters(const Mechanism& mechanism);
 std::string effects_toml(const Effects& effects);
-
-// Pieces that readers of layers share.
-
-inline constexpr Allowed allowed_thickness{0.0, 1e8, "nm"};
-inline constexpr Allowed allowed_spread{0.0, 1e4, "nm"};
-/// Air if the key is missing. Throws Error for a medium that absorbs.
-Index read_incident(const Table& table, const IndexReader& reader);
-/// thickness_spread_nm; 0 if it is missing.
-double read_spread(const Table& table);
-Index read_required_index(const Table& table, std::string_view key, const IndexReader& reader);
-/// `prefix` + "n" and "k", of an index that is a number.
-void add_index_parameters(const std::string& prefix, const std::string& of_what, const Index& index,
-                          const std::function<Index&(Mechanism&)>& find, std::vector<Parameter>& parameters);
 
 }  // namespace nacre

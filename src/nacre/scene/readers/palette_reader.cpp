@@ -1,7 +1,9 @@
+// A palette: picks at angles, each a colour or a band, and the shape of the way between them.
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
+#include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -12,30 +14,13 @@
 namespace nacre {
 namespace {
 
-constexpr Allowed allowed_angle{0.0, 90.0, "degrees"};
-constexpr Allowed allowed_peak{100.0, 2000.0, "nm"};
-constexpr Allowed allowed_width{0.0, 1000.0, "nm"};
-constexpr Allowed allowed_height{0.0, 1.0};
 constexpr Allowed allowed_shape{0.0, 1.0};
-constexpr std::size_t most_picks = 100;
-
-struct PickParameter {
-    std::string_view key;
-    std::string_view description;
-    Allowed allowed;
-    double Lobe::*member;
-};
-constexpr std::array pick_parameters{
-    PickParameter{"peak_nm", "peak wavelength", allowed_peak, &Lobe::peak_nm},
-    PickParameter{"width_nm", "width", allowed_width, &Lobe::width_nm},
-    PickParameter{"height", "height", allowed_height, &Lobe::height},
-};
 
 Palette& palette_of(Mechanism& mechanism) {
     return std::get<Palette>(mechanism);
 }
 
-// Throws Error if two picks lie at one angle and differ.
+// Two picks at one angle must be equal.
 void check_picks_differ(const Palette& palette, const Table& table, const Where& where) {
     const auto& picks = palette.picks;
     for (std::size_t i = 0; i < picks.size(); ++i) {
@@ -50,114 +35,106 @@ void check_picks_differ(const Palette& palette, const Table& table, const Where&
     }
 }
 
+// A pick of a palette: a band, or a colour and the band that was found for it.
+struct PalettePick {
+    Pick pick;
+    std::optional<PickedColour> picked;
+    bool is_black = false;  // the colour black
+};
+
+PalettePick read_pick(const Table& table, const PickReaders& readers) {
+    PalettePick pick;
+    pick.pick.angle_deg = table.number("angle_deg", allowed_pick_angle);
+    pick.picked = read_picked_colour(table, readers.colour);
+    if (pick.picked) {
+        pick.picked->angle_deg = pick.pick.angle_deg;
+        find_band(readers, *pick.picked);
+        const LobeMatch& lobe = *pick.picked->lobe;
+        pick.pick.lobe = {lobe.peak_nm, lobe.width_nm, lobe.height};
+        pick.is_black = lobe.height == 0.0;
+    } else {
+        pick.pick.lobe = read_lobe(table);
+    }
+    table.expect_all_read();
+    return pick;
+}
+
 // Black says nothing about peak and width: they are those of the nearest pick that is not black, so that the band fades
 // where it is.
-// @param black  picks that were given as the colour black
-void take_shape_of_neighbours(const std::vector<std::size_t>& black, Palette& palette) {
-    const auto is_black = [&](const Pick& pick) {
-        const auto index = static_cast<std::size_t>(&pick - palette.picks.data());
-        return std::find(black.begin(), black.end(), index) != black.end();
-    };
-    for (const std::size_t index : black) {
-        Pick& pick = palette.picks[index];
+void take_shape_of_neighbours(std::vector<PalettePick>& picks) {
+    for (PalettePick& black : picks) {
+        if (!black.is_black) continue;
         double least_deg = 180.0;
-        for (const Pick& other : palette.picks) {
-            const double distance_deg = std::abs(other.angle_deg - pick.angle_deg);
-            if (is_black(other) || distance_deg >= least_deg) continue;
+        for (const PalettePick& other : picks) {
+            const double distance_deg = std::abs(other.pick.angle_deg - black.pick.angle_deg);
+            if (other.is_black || distance_deg >= least_deg) continue;
             least_deg = distance_deg;
-            pick.lobe = {other.lobe.peak_nm, other.lobe.width_nm, 0.0};
+            black.pick.lobe = {other.pick.lobe.peak_nm, other.pick.lobe.width_nm, 0.0};
         }
+        black.picked->lobe->peak_nm = black.pick.lobe.peak_nm;
+        black.picked->lobe->width_nm = black.pick.lobe.width_nm;
     }
 }
 
 // What the scene leaves open is fitted, where picks say anything about it.
-void read_shape(const Table& table, const SceneContext& context, Palette& palette) {
-    palette.shape = table.number_or("shape", allowed_shape, Palette::default_shape);
-    if (table.find("shape") != nullptr || !context.picks.lobe_colour) return;
-    const auto fit = fit_shape(palette.picks, context.picks.lobe_colour);
-    if (!fit) return;
-    palette.shape = fit->shape;
-    context.note_shape(*fit);
+std::optional<ShapeFit> fit_open_shape(const Table& table, const PickReaders& readers, const Palette& palette) {
+    if (table.find("shape") != nullptr || !readers.lobe_colour) return {};
+    return fit_shape(palette.picks, readers.lobe_colour);
 }
 
-}  // namespace
+ReadMechanism read_palette(const Table& table, const SceneContext& context) {
+    const Value* value = table.find("picks");
+    if (value == nullptr) {
+        table.fail_missing("picks",
+                           "give one or more, each { angle_deg, colour } or { angle_deg, peak_nm, width_nm, height }");
+    }
+    std::vector<PalettePick> picks;
+    for (const Value& element : read_pick_list(table, *value))
+        picks.push_back(read_pick(table.checked_table("picks", element), context.picks));
+    take_shape_of_neighbours(picks);
+    Palette palette;
+    for (const PalettePick& pick : picks) palette.picks.push_back(pick.pick);
+    check_picks_differ(palette, table, value->where);
+    palette.shape = table.number_or("shape", allowed_shape, Palette::default_shape);
+    const std::optional<ShapeFit> fit = fit_open_shape(table, context.picks, palette);
+    if (fit) palette.shape = fit->shape;
+    ReadMechanism read{std::move(palette), {}, fit, {}};
+    for (std::size_t i = 0; i < picks.size(); ++i) {
+        if (!picks[i].picked) continue;
+        picks[i].picked->pick = i;
+        read.picked.push_back(std::move(*picks[i].picked));
+    }
+    return read;
+}
 
-std::vector<Parameter> palette_parameters(const Palette& palette) {
+std::vector<Parameter> palette_parameters(const Mechanism& mechanism) {
     std::vector<Parameter> parameters;
-    parameters.push_back({"shape", "shape", allowed_shape,
-                          [](Mechanism& mechanism, double value) { palette_of(mechanism).shape = value; }});
-    for (const PickParameter& parameter : pick_parameters) {
-        const auto member = parameter.member;
-        parameters.push_back({std::string(parameter.key), std::string(parameter.description) + " of every pick",
-                              parameter.allowed, [member](Mechanism& mechanism, double value) {
-                                  for (Pick& pick : palette_of(mechanism).picks) pick.lobe.*member = value;
+    parameters.push_back(
+        {"shape", "shape", allowed_shape, [](Mechanism& m, double value) { palette_of(m).shape = value; }});
+    for (const LobeKey& key : lobe_keys) {
+        const auto member = key.member;
+        parameters.push_back({std::string(key.key), std::string(key.description) + " of every pick", key.allowed,
+                              [member](Mechanism& m, double value) {
+                                  for (Pick& pick : palette_of(m).picks) pick.lobe.*member = value;
                               }});
     }
-    for (std::size_t i = 0; i < palette.picks.size(); ++i) {
+    for (std::size_t i = 0; i < std::get<Palette>(mechanism).picks.size(); ++i) {
         const std::string prefix = "picks[" + std::to_string(i) + "].";
         const std::string of_pick = " of pick " + std::to_string(i);
-        parameters.push_back(
-            {prefix + "angle_deg", "angle" + of_pick, allowed_angle,
-             [i](Mechanism& mechanism, double value) { palette_of(mechanism).picks[i].angle_deg = value; }});
-        for (const PickParameter& parameter : pick_parameters) {
-            const auto member = parameter.member;
-            parameters.push_back({prefix + std::string(parameter.key), std::string(parameter.description) + of_pick,
-                                  parameter.allowed, [i, member](Mechanism& mechanism, double value) {
-                                      palette_of(mechanism).picks[i].lobe.*member = value;
-                                  }});
+        parameters.push_back({prefix + "angle_deg", "angle" + of_pick, allowed_pick_angle,
+                              [i](Mechanism& m, double value) { palette_of(m).picks[i].angle_deg = value; }});
+        for (const LobeKey& key : lobe_keys) {
+            const auto member = key.member;
+            parameters.push_back(
+                {prefix + std::string(key.key), std::string(key.description) + of_pick, key.allowed,
+                 [i, member](Mechanism& m, double value) { palette_of(m).picks[i].lobe.*member = value; }});
         }
     }
     return parameters;
 }
 
-Lobe read_lobe(const Table& pick) {
-    return {pick.number("peak_nm", allowed_peak), pick.number("width_nm", allowed_width),
-            pick.number("height", allowed_height)};
-}
-
-Palette read_palette(const Table& table, const SceneContext& context) {
-    Palette palette;
-    const Value* picks = table.find("picks");
-    if (picks == nullptr) {
-        table.fail_missing("picks",
-                           "give one or more, each { angle_deg, colour } or { angle_deg, peak_nm, width_nm, height }");
-    }
-    const Value::Array& list = table.checked_array("picks", *picks);
-    if (list.empty() || list.size() > most_picks) {
-        table.fail(picks->where,
-                   "picks has " + std::to_string(list.size()) + " entries; allowed 1 to " + std::to_string(most_picks));
-    }
-    std::vector<PickedColour> picked_colours;
-    std::vector<std::size_t> black;
-    for (const Value& element : list) {
-        const Table& pick = table.checked_table("picks", element);
-        const double angle_deg = pick.number("angle_deg", allowed_angle);
-        if (auto picked = read_picked_colour(pick, context.picks.colour)) {
-            picked->pick = palette.picks.size();
-            picked->angle_deg = angle_deg;
-            find_band(context.picks, *picked);
-            const LobeMatch& lobe = *picked->lobe;
-            if (lobe.height == 0.0) black.push_back(picked->pick);
-            palette.picks.push_back({angle_deg, {lobe.peak_nm, lobe.width_nm, lobe.height}});
-            picked_colours.push_back(std::move(*picked));
-        } else {
-            palette.picks.push_back({angle_deg, read_lobe(pick)});
-        }
-        pick.expect_all_read();
-    }
-    take_shape_of_neighbours(black, palette);
-    for (PickedColour& picked : picked_colours) {
-        const Lobe& lobe = palette.picks[picked.pick].lobe;
-        picked.lobe->peak_nm = lobe.peak_nm;
-        picked.lobe->width_nm = lobe.width_nm;
-        context.note_picked(picked);
-    }
-    check_picks_differ(palette, table, picks->where);
-    read_shape(table, context, palette);
-    return palette;
-}
-
-std::string palette_toml(const Palette& palette) {
+std::string palette_toml(const Mechanism& mechanism) {
+    const auto& palette = std::get<Palette>(mechanism);
     std::string text = "mechanism = \"palette\"\nshape = " + number_text(palette.shape) + "\npicks = [\n";
     for (const Pick& pick : palette.picks) {
         text += "    { angle_deg = " + number_text(pick.angle_deg) + ", peak_nm = " + number_text(pick.lobe.peak_nm) +
@@ -166,5 +143,41 @@ std::string palette_toml(const Palette& palette) {
     }
     return text + "]\n";
 }
+
+std::string palette_warning(const Mechanism& mechanism, const LightSettings&) {
+    if (std::get<Palette>(mechanism).picks.size() != 1) return "";
+    return "one pick says nothing about other angles: the same colour at all of them";
+}
+
+// A palette whose picks differ must not pass through a state in which two of them share an angle.
+void check_angles_stay_apart(const Axis& axis, const Mechanism& mechanism, const Table& table, const Where& where) {
+    const auto& picks = std::get<Palette>(mechanism).picks;
+    if (!axis.parameter.name.ends_with("].angle_deg")) return;
+    const auto [low, high] = std::minmax(axis.from, axis.to);
+    for (std::size_t i = 0; i < picks.size(); ++i) {
+        if ("picks[" + std::to_string(i) + "].angle_deg" == axis.parameter.name) continue;
+        const double angle_deg = picks[i].angle_deg;
+        if (angle_deg <= low - smallest_pick_distance_deg || angle_deg >= high + smallest_pick_distance_deg) continue;
+        table.fail(where, axis.parameter.name + " from " + number_text(axis.from) + " to " + number_text(axis.to) +
+                              " passes picks[" + std::to_string(i) + "] at " + number_text(angle_deg) +
+                              " degrees; two picks at one angle have no colour between them");
+    }
+}
+
+}  // namespace
+
+const MechanismReader palette_reader{
+    .read = read_palette,
+    .search = nullptr,
+    .parameters = palette_parameters,
+    .toml = palette_toml,
+    .substrate = nullptr,
+    .warning = palette_warning,
+    .check_axis = check_angles_stay_apart,
+    .refusals = {.base = no_transmission,
+                 .polarisation = "which is of unpolarised light",
+                 .thickness_spread_nm = "which has no layers",
+                 .orders = no_orders},
+};
 
 }  // namespace nacre

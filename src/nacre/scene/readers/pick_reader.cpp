@@ -1,36 +1,21 @@
+// A pick: a colour, or a band of reflectance, that a material has at an angle.
 #include "nacre/scene/readers/pick_reader.h"
 
 #include <array>
-#include <cctype>
 #include <cstddef>
 #include <string>
-#include <vector>
 
 #include "nacre/base/names.h"
 #include "nacre/base/text.h"
 #include "nacre/scene/hex_colour.h"
 
 namespace nacre {
-
-std::optional<Rgb> parse_hex_colour(const std::string& text) {
-    if (text.size() != 4 && text.size() != 7) return {};
-    if (text.front() != '#') return {};
-    std::vector<int> digits;
-    for (const char character : text.substr(1)) {
-        const auto byte = static_cast<unsigned char>(character);
-        if (std::isxdigit(byte) == 0) return {};
-        digits.push_back(std::isdigit(byte) != 0 ? character - '0' : std::tolower(byte) - 'a' + 10);
-    }
-    const auto component = [&](std::size_t i) {
-        return digits.size() == 3 ? digits[i] / 15.0 : (16 * digits[2 * i] + digits[2 * i + 1]) / 255.0;
-    };
-    return Rgb{component(0), component(1), component(2)};
-}
-
 namespace {
 
 // What a half holds.
 constexpr Allowed allowed_component{-65504.0, 65504.0};
+// Chosen: more picks than anybody makes by hand. All pairs of them are compared.
+constexpr std::size_t most_picks = 100;
 
 Rgb read_components(const Table& pick, const Value& value) {
     if (const auto* text = std::get_if<std::string>(&value.data)) {
@@ -55,6 +40,21 @@ std::string written(const Value& value, const Rgb& colour) {
 
 }  // namespace
 
+const Value::Array& read_pick_list(const Table& table, const Value& picks) {
+    const Value::Array& list = table.checked_array("picks", picks);
+    if (list.empty() || list.size() > most_picks) {
+        table.fail(picks.where,
+                   "picks has " + std::to_string(list.size()) + " entries; allowed 1 to " + std::to_string(most_picks));
+    }
+    return list;
+}
+
+Lobe read_lobe(const Table& pick) {
+    Lobe lobe;
+    for (const LobeKey& key : lobe_keys) lobe.*key.member = pick.number(key.key, key.allowed);
+    return lobe;
+}
+
 std::optional<PickedColour> read_picked_colour(const Table& pick, const ColourReader& read) {
     const Value* value = pick.find("colour");
     if (value == nullptr) {
@@ -64,9 +64,9 @@ std::optional<PickedColour> read_picked_colour(const Table& pick, const ColourRe
     }
     const Rgb components = read_components(pick, *value);
     const std::string space = pick.text_or("space", "");
-    for (const char* number : {"peak_nm", "width_nm", "height"}) {
-        if (const Value* other = pick.find(number)) {
-            pick.fail(other->where, std::string(number) + " and colour both say what is seen; remove one of them");
+    for (const LobeKey& key : lobe_keys) {
+        if (const Value* other = pick.find(key.key)) {
+            pick.fail(other->where, std::string(key.key) + " and colour both say what is seen; remove one of them");
         }
     }
     PickedColour picked;

@@ -1,8 +1,10 @@
 #pragma once
 
+#include <array>
 #include <functional>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "nacre/base/where.h"
 #include "nacre/colour/colour_types.h"
@@ -30,6 +32,27 @@ struct PickReaders {
     LobeColour lobe_colour;
     MeasuredColourReader measured_colour;
 };
+
+inline constexpr Allowed allowed_pick_angle{0.0, 90.0, "degrees"};
+
+/// The keys of a band of reflectance.
+struct LobeKey {
+    std::string_view key;
+    std::string_view description;
+    Allowed allowed;
+    double Lobe::*member;
+};
+inline constexpr std::array lobe_keys{
+    LobeKey{"peak_nm", "peak wavelength", {100.0, 2000.0, "nm"}, &Lobe::peak_nm},
+    LobeKey{"width_nm", "width", {0.0, 1000.0, "nm"}, &Lobe::width_nm},
+    LobeKey{"height", "height", {0.0, 1.0}, &Lobe::height},
+};
+
+/// `picks` as an array of at least one and at most 100.
+const Value::Array& read_pick_list(const Table& table, const Value& picks);
+
+/// peak_nm, width_nm and height of a pick.
+Lobe read_lobe(const Table& pick);
 
 /// Reads the colour of one pick: `colour` = "#rrggbb" or [r, g, b], and `space`. Components are finite and at most
 /// 65504; they may be negative or exceed 1. Nothing is said yet of what comes near to it.

@@ -1,3 +1,4 @@
+// A layer of particles that scatter light: three models of one set of keys.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -8,7 +9,7 @@
 #include "nacre/base/text.h"
 #include "nacre/colour/cie_tables.h"
 #include "nacre/scene/catalogue.h"
-#include "nacre/scene/readers/base_reader.h"
+#include "nacre/scene/readers/index_keys.h"
 #include "nacre/scene/readers/mechanism_readers.h"
 
 namespace nacre {
@@ -25,16 +26,6 @@ constexpr std::array model_words{
     Word<ScatterModel>{"mie", ScatterModel::mie, "spheres of any size, far from each other"},
     Word<ScatterModel>{"quasi_ordered", ScatterModel::quasi_ordered, "spheres that keep a distance"},
 };
-
-Index read_medium(const Table& table, const IndexReader& reader) {
-    const Index medium = reader.read_or(table, "medium", Index(1.0));
-    if (largest_k(medium, reader.first_nm, reader.last_nm) > (medium.is_constant() ? 0.0 : transparent_k))
-        table.fail_at("medium", "medium absorbs, so no light gets to the particles; allowed is a medium with k = 0");
-    if (medium.is_constant() || medium.curve->is_lossless()) return medium;
-    IndexCurve lossless = *medium.curve;
-    lossless.k = 0.0;
-    return Index(std::make_shared<const IndexCurve>(std::move(lossless)));
-}
 
 // The radius whose size parameter, 2 pi n radius / wavelength, is 1 where it is largest.
 double unit_radius_nm(const Index& medium, double first_nm, double last_nm) {
@@ -147,13 +138,12 @@ Ranges ranges_of(const Scatter& scatter) {
     return ranges;
 }
 
-}  // namespace
-
-Scatter read_scatter(const Table& table, const IndexReader& index) {
+ReadMechanism read_scatter(const Table& table, const SceneContext& context) {
+    const IndexReader& index = context.index;
     Scatter scatter;
     scatter.model = read_word(table, "model", "model", model_words);
     scatter.particle = read_required_index(table, "particle", index);
-    scatter.medium = read_medium(table, index);
+    scatter.medium = read_clear_medium(table, "medium", index, "no light gets to the particles");
     scatter.radius_nm = table.number("radius_nm", allowed_radius);
     scatter.radius_spread = table.number_or("radius_spread", allowed_radius_spread, 0.0);
     check_radius(table, scatter, index);
@@ -161,10 +151,11 @@ Scatter read_scatter(const Table& table, const IndexReader& index) {
     scatter.volume_fraction = table.number_or("volume_fraction", allowed_fraction, scatter.volume_fraction);
     read_hard_radius(table, scatter);
     scatter.thickness_um = table.number_or("thickness_um", allowed_layer, scatter.thickness_um);
-    return scatter;
+    return {scatter};
 }
 
-std::vector<Parameter> scatter_parameters(const Scatter& scatter) {
+std::vector<Parameter> scatter_parameters(const Mechanism& mechanism) {
+    const auto& scatter = std::get<Scatter>(mechanism);
     std::vector<Parameter> parameters;
     const auto add = [&](std::string_view name, std::string_view description, const Allowed& allowed,
                          double Scatter::*member) {
@@ -184,7 +175,8 @@ std::vector<Parameter> scatter_parameters(const Scatter& scatter) {
     return parameters;
 }
 
-std::string scatter_toml(const Scatter& scatter) {
+std::string scatter_toml(const Mechanism& mechanism) {
+    const auto& scatter = std::get<Scatter>(mechanism);
     std::string text = "mechanism = \"scatter\"\nmodel = " + toml_string(name_of(model_words, scatter.model)) +
                        "\nparticle = " + index_toml(scatter.particle) + "\nmedium = " + index_toml(scatter.medium) +
                        "\nradius_nm = " + number_text(scatter.radius_nm) + "\n";
@@ -193,5 +185,21 @@ std::string scatter_toml(const Scatter& scatter) {
     if (scatter.hard_radius_nm > 0.0) text += "hard_radius_nm = " + number_text(scatter.hard_radius_nm) + "\n";
     return text + "thickness_um = " + number_text(scatter.thickness_um) + "\n";
 }
+
+}  // namespace
+
+const MechanismReader scatter_reader{
+    .read = read_scatter,
+    .search = nullptr,
+    .parameters = scatter_parameters,
+    .toml = scatter_toml,
+    .substrate = nullptr,
+    .warning = nullptr,
+    .check_axis = nullptr,
+    .refusals = {.base = "which is only what its particles scatter",
+                 .tilt_deg = "whose particles have no facets",
+                 .thickness_spread_nm = "which has no layers (radius_spread is of its particles)",
+                 .orders = no_orders},
+};
 
 }  // namespace nacre

@@ -1,5 +1,5 @@
 // What lies below the layers: reflectances for colours, against the CIE's tables by hand.
-#include "nacre/scene/readers/base_reader.h"
+#include "nacre/scene/readers/smooth_rgb.h"
 
 #include <gtest/gtest.h>
 
@@ -10,6 +10,7 @@
 
 #include "nacre/colour/illuminant.h"
 #include "nacre/colour/observer.h"
+#include "nacre/scene/readers/index_keys.h"
 
 namespace nacre {
 namespace {

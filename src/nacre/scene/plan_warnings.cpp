@@ -1,0 +1,41 @@
+// What the whole plan shows: picks that no material meets, and materials that are hardly meant so.
+#include <string>
+#include <vector>
+
+#include "nacre/pick/missed_picks.h"
+#include "nacre/scene/plan_tables.h"
+#include "nacre/scene/readers/mechanism_reader.h"
+
+namespace nacre {
+namespace {
+
+std::string place_of(const SceneMaterial& material) {
+    return material.where.text() + " [material." + material.name + "]: ";
+}
+
+}  // namespace
+
+std::vector<std::string> missed_pick_messages(const Plan& plan, bool if_given) {
+    std::vector<std::string> messages;
+    for (const SceneMaterial& material : plan.materials) {
+        for (const MissedPick& missed : missed_picks(material.picked)) {
+            const PickedColour& picked = missed.picked;
+            if (!picked.is_searched && !if_given) continue;
+            messages.push_back(picked.where.text() + " [material." + material.name + "]: picks[" +
+                               std::to_string(picked.pick) + "], " + picked.text + ": " + missed.text);
+        }
+    }
+    return messages;
+}
+
+std::vector<std::string> warnings_of(const Plan& plan) {
+    // Of a material whose numbers are all given, who bakes it knows what it misses.
+    std::vector<std::string> warnings = missed_pick_messages(plan, false);
+    for (const SceneMaterial& material : plan.materials) {
+        const std::string warning = mechanism_warning(material.mechanism, plan.light->settings);
+        if (!warning.empty()) warnings.push_back(place_of(material) + warning);
+    }
+    return warnings;
+}
+
+}  // namespace nacre

@@ -1,0 +1,54 @@
+#include "nacre/scene/readers/index_keys.h"
+
+#include <algorithm>
+#include <memory>
+#include <utility>
+
+namespace nacre {
+
+Index read_required_index(const Table& table, std::string_view key, const IndexReader& reader) {
+    const Value* value = table.find(key);
+    if (value == nullptr) table.fail_missing(key, "give a number, { n, k }, or the name of a material");
+    return reader.read(table, key, *value);
+}
+
+Index read_clear_medium(const Table& table, std::string_view key, const IndexReader& reader,
+                        std::string_view consequence) {
+    const Index medium = reader.read_or(table, key, Index(1.0));
+    // A number is meant as it is; a table of a clear material may have a tiny k.
+    const double limit = medium.is_constant() ? 0.0 : transparent_k;
+    if (largest_k(medium, reader.first_nm, reader.last_nm) > limit) {
+        table.fail_at(
+            key, std::string(key) + " absorbs, so " + std::string(consequence) + "; allowed is a medium with k = 0");
+    }
+    if (medium.is_constant() || medium.curve->is_lossless()) return medium;
+    IndexCurve lossless = *medium.curve;
+    lossless.k = 0.0;
+    return Index(std::make_shared<const IndexCurve>(std::move(lossless)));
+}
+
+Index read_incident(const Table& table, const IndexReader& reader) {
+    return read_clear_medium(table, "incident", reader, "no light comes from far away in it");
+}
+
+double read_spread(const Table& table) {
+    return table.number_or("thickness_spread_nm", allowed_spread, 0.0);
+}
+
+void add_index_parameters(const std::string& prefix, const std::string& of_what, const Index& index,
+                          const std::function<Index&(Mechanism&)>& find, std::vector<Parameter>& parameters) {
+    if (!index.is_constant()) return;
+    parameters.push_back({prefix + "n", "refractive index" + of_what, allowed_n,
+                          [find](Mechanism& m, double value) { find(m).constant.real(value); }});
+    parameters.push_back({prefix + "k", "absorption index" + of_what, allowed_k,
+                          [find](Mechanism& m, double value) { find(m).constant.imag(value); }});
+}
+
+double largest_k(const Index& index, double first_nm, double last_nm) {
+    if (index.is_constant()) return index.constant.imag();
+    double largest = index.at(last_nm).imag();
+    for (double nm = first_nm; nm < last_nm; nm += 1.0) largest = std::max(largest, index.at(nm).imag());
+    return largest;
+}
+
+}  // namespace nacre

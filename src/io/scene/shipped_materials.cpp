@@ -41,34 +41,57 @@ namespace {
 struct Shipped {
     std::string_view name;
     const std::string_view& yaml;
+    std::string_view description;  // half a line; configs/materials/README.md says more
 };
 
 constexpr Shipped shipped[] = {
-    {"ag", material_ag},
-    {"air", material_air},
-    {"al", material_al},
-    {"al2o3", material_al2o3},
-    {"aragonite", material_aragonite},
-    {"au", material_au},
-    {"bk7", material_bk7},
-    {"calcite", material_calcite},
-    {"chitin", material_chitin},
-    {"cr", material_cr},
-    {"cu", material_cu},
-    {"cuticle", material_cuticle},
-    {"cytoplasm", material_cytoplasm},
-    {"fe2o3", material_fe2o3},
-    {"guanine", material_guanine},
-    {"keratin", material_keratin},
-    {"melanin", material_melanin},
-    {"mgf2", material_mgf2},
-    {"mica", material_mica},
-    {"oil", material_oil},
-    {"si", material_si},
-    {"sio2", material_sio2},
-    {"tio2", material_tio2},
-    {"water", material_water},
+    {"ag", material_ag, "silver"},
+    {"air", material_air, "standard air, 15 C"},
+    {"al", material_al, "aluminium, evaporated, without oxide"},
+    {"al2o3", material_al2o3, "sapphire, ordinary ray"},
+    {"aragonite", material_aragonite, "aragonite along its c axis: tablets of nacre head-on"},
+    {"au", material_au, "gold"},
+    {"bk7", material_bk7, "optical glass N-BK7"},
+    {"calcite", material_calcite, "calcite, ordinary ray"},
+    {"chitin", material_chitin, "butterfly chitin"},
+    {"cr", material_cr, "chromium"},
+    {"cu", material_cu, "copper"},
+    {"cuticle", material_cuticle, "cuticle of Morpho scales, with its pigment"},
+    {"cytoplasm", material_cytoplasm, "watery cell fluid"},
+    {"fe2o3", material_fe2o3, "hematite, extraordinary ray"},
+    {"guanine", material_guanine, "guanine plates of fish, head-on"},
+    {"keratin", material_keratin, "keratin of white feathers"},
+    {"melanin", material_melanin, "melanin of insects and birds"},
+    {"mgf2", material_mgf2, "magnesium fluoride, ordinary ray"},
+    {"mica", material_mica, "muscovite flake, head-on"},
+    {"oil", material_oil, "immersion oil"},
+    {"si", material_si, "silicon, crystalline"},
+    {"sio2", material_sio2, "fused silica"},
+    {"tio2", material_tio2, "titania, a film by atomic layer deposition"},
+    {"water", material_water, "water, 20 C"},
 };
+
+// What people call these materials; in lower case.
+struct OtherName {
+    std::string_view name;
+    std::string_view material;
+};
+constexpr OtherName other_names[] = {
+    {"alumina", "al2o3"},  {"aluminium", "al"},          {"aluminum", "al"}, {"chrome", "cr"},       {"chromium", "cr"},
+    {"copper", "cu"},      {"fused silica", "sio2"},     {"glass", "bk7"},   {"gold", "au"},         {"h2o", "water"},
+    {"hematite", "fe2o3"}, {"iron oxide", "fe2o3"},      {"n-bk7", "bk7"},   {"nacre", "aragonite"}, {"quartz", "sio2"},
+    {"rust", "fe2o3"},     {"sapphire", "al2o3"},        {"silica", "sio2"}, {"silicon", "si"},      {"silver", "ag"},
+    {"titania", "tio2"},   {"titanium dioxide", "tio2"}, {"vacuum", "air"},
+};
+
+std::string offered(const std::string& name) {
+    std::string key = name;
+    for (char& c : key) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c == '_' ? ' ' : c;
+    for (const OtherName& other : other_names) {
+        if (other.name == key) return "did you mean " + std::string(other.material) + "?";
+    }
+    return "known: " + known_like(name, shipped_material_names()) + ", or a .yml or .csv file";
+}
 
 bool names_a_file(const std::string& name) {
     return name.ends_with(".yml") || name.ends_with(".yaml") || name.ends_with(".csv");
@@ -79,6 +102,13 @@ bool names_a_file(const std::string& name) {
 std::vector<std::string> shipped_material_names() {
     std::vector<std::string> names;
     for (const Shipped& material : shipped) names.emplace_back(material.name);
+    return names;
+}
+
+std::vector<ListedName> shipped_material_list() {
+    std::vector<ListedName> names;
+    for (const Shipped& material : shipped)
+        names.push_back({std::string(material.name), std::string(material.description)});
     return names;
 }
 
@@ -104,8 +134,7 @@ std::shared_ptr<const IndexCurve> find_material(const std::string& name, const s
         }
     }
     if (auto material = shipped_material(name)) return material;
-    throw Error(where + ": unknown material " + in_quotes(name) +
-                "; known: " + known_like(name, shipped_material_names()) + ", or a .yml or .csv file");
+    throw Error(where + ": unknown material " + in_quotes(name) + "; " + offered(name));
 }
 
 }  // namespace nacre

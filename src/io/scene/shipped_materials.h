@@ -6,11 +6,15 @@
 #include <vector>
 
 #include "nacre/optics/refractive_index.h"
+#include "nacre/scene/lists.h"
 
 namespace nacre {
 
 /// The names of the shipped materials, in alphabetical order: the files of configs/materials, which are compiled in.
 std::vector<std::string> shipped_material_names();
+
+/// The same with half a line about each.
+std::vector<ListedName> shipped_material_list();
 
 /// A material of that list, parsed anew by every call; null for any other name.
 std::shared_ptr<const IndexCurve> shipped_material(std::string_view name);

@@ -12,7 +12,7 @@ namespace {
 class Differences {
 public:
     using Scalar = double;
-    // NOLINTBEGIN(readability-identifier-naming): Ceres asks for these names.
+    // NOLINTBEGIN(readability-identifier-naming): Ceres requires these names.
     enum { NUM_RESIDUALS = Eigen::Dynamic, NUM_PARAMETERS = Eigen::Dynamic };
 
     explicit Differences(const LeastSquares& problem)

@@ -19,14 +19,14 @@
 namespace nacre {
 namespace {
 
-// Up to so many files are flushed one by one; beyond, one flush of the file system is cheaper.
+// Up to this many files are flushed one by one; for more, one flush of the file system is cheaper.
 constexpr std::size_t few_files = 8;
 
 [[noreturn]] void fail(const std::string& path, const char* what, int error) {
     throw IoError(path + ": cannot " + what + ": " + std::strerror(error));
 }
 
-// Closes on the way out of a scope; close() itself is checked, because that is where a network disk reports its errors.
+// Closes at the end of a scope; close() itself is checked, because that is where a network disk reports its errors.
 class Descriptor {
 public:
     explicit Descriptor(int descriptor) : descriptor_(descriptor) {}
@@ -67,7 +67,7 @@ std::optional<std::string> read_all(int folder, const std::string& name) {
     return bytes;
 }
 
-// Unlike any other process's, and unlike what a killed process with our number has left.
+// Different from the name of any other process, and from files left by a killed process with the same number.
 std::string unique_prefix() {
     return ".nacre-" + std::to_string(::getpid()) + "-" + std::to_string(std::random_device{}()) + "-";
 }
@@ -147,7 +147,7 @@ void OutputFolder::commit() {
         pending_.pop_back();
     }
     if (::fsync(descriptor_) != 0) fail(path_, "be flushed to the disk", errno);
-    // A folder that was deleted under us still takes files through its descriptor; nobody would ever see them.
+    // A deleted folder still accepts files through its descriptor, but no one would see them.
     struct stat here {};
     struct stat there {};
     if (::fstat(descriptor_, &here) != 0 || ::stat(path_.c_str(), &there) != 0 || here.st_ino != there.st_ino ||

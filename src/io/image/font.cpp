@@ -25,7 +25,7 @@ constexpr std::array<std::string_view, 8> font_files{
     "Helvetica.ttc",
 };
 
-// Folders that cannot be read hold no fonts for us; links to folders are not followed, because they may run in circles.
+// Folders that cannot be read are skipped. Links to folders are not followed, because they may form cycles.
 template <typename Visit>
 void for_each_file(const fs::path& folder, const Visit& visit) {
     std::error_code error;
@@ -57,7 +57,7 @@ fs::path find_font(std::span<const fs::path> folders) {
         for_each_file(folder, [&](const fs::path& file) {
             const auto known = std::find(font_files.begin(), font_files.end(), file.filename().string());
             const auto rank = static_cast<std::size_t>(known - font_files.begin());
-            // The path decides between equals: the order in which a folder lists its files is no order.
+            // The path decides between equal names, because a folder lists its files in no defined order.
             if (rank < best || (rank == best && rank < font_files.size() && file < found)) {
                 best = rank;
                 found = file;

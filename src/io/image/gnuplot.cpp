@@ -58,7 +58,7 @@ private:
     fs::path path_;
 };
 
-// Owns what posix_spawn wants to be initialised and destroyed.
+// Owns what posix_spawn needs to be initialised and destroyed.
 class SpawnActions {
 public:
     SpawnActions() { ::posix_spawn_file_actions_init(&actions_); }
@@ -78,7 +78,7 @@ void write_input(const fs::path& file, const std::string& bytes) {
     if (!out) throw IoError(file.string() + ": cannot be written: " + std::strerror(errno));
 }
 
-// Ours without what changes gnuplot's output from one user to the next.
+// Our environment without the variables that change gnuplot's output from user to user.
 std::vector<std::string> neutral_environment() {
     constexpr std::array<std::string_view, 6> left_out{"GNUPLOT", "GNUTERM", "FIT_", "LANG", "LC_", "GDFONTPATH"};
     std::vector<std::string> variables;
@@ -125,7 +125,7 @@ int run_in(const fs::path& folder, const std::string& script) {
     return status;
 }
 
-// gnuplot points at the mistake over several lines; ours is one.
+// gnuplot describes a mistake in several lines; our message has one.
 std::string one_line(const std::string& messages) {
     std::istringstream lines(messages);
     std::string result;

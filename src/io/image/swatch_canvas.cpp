@@ -37,7 +37,7 @@ double distance_to_segment(Point p, Point a, Point b) {
     return std::hypot(p.x - a.x - t * dx, p.y - a.y - t * dy);
 }
 
-// One line, whatever the user typed.
+// Always one line.
 std::string printable(std::string text) {
     for (char& c : text) {
         if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = ' ';
@@ -53,7 +53,7 @@ void remove_last_letter(std::string& text) {
 
 // Down to two thirds of the size, then without its end.
 void fit_to_width(std::string& text, int& size_px, double max_width_px, const TextFace& face) {
-    // No letter is so narrow that more would fit: spares the search the user's novel.
+    // No letter is so narrow that more would fit; this bounds the search for long texts.
     constexpr std::size_t longest = 300;
     if (text.size() > longest) text.resize(longest);
     const auto is_too_wide = [&](const std::string& candidate) {

@@ -49,7 +49,7 @@ ColourConfig::Impl open_builtin() {
 }
 
 ColourConfig::Impl open_file(const std::string& path, const std::string& where) {
-    // Newer OpenColorIO has configs inside itself under such names.
+    // Newer versions of OpenColorIO have built-in configs under such names.
     const bool inside_ocio = path.starts_with("ocio://");
     const std::string text = inside_ocio ? std::string() : read_config(path, where);
     try {
@@ -118,7 +118,8 @@ std::string resolve_view(const OpenedConfig& opened, const std::string& display,
                 (usable.empty() ? "; it has no view that converts colours" : "; known: " + comma_separated(usable)));
 }
 
-// Role scene_linear is where most configs do their work: a wrong entrance shows there when no well-known name does.
+// Role scene_linear is where most configs do their work: a wrong interchange space shows there if the config has no
+// well-known name.
 void check_scene_linear(const OpenedConfig& opened, const Entrance& entrance, const std::string& where) {
     const auto space = opened.config->getColorSpace(OCIO::ROLE_SCENE_LINEAR);
     if (!space || space->isData() || space->getReferenceSpaceType() != OCIO::REFERENCE_SPACE_SCENE) return;
@@ -215,7 +216,7 @@ ColourTransform ColourConfig::to_display(const std::string& display, const std::
     impl->view = resolve_view(opened, impl->display, view, where);
     impl->target = impl->display + " / " + impl->view;
     try {
-        // The white of a view is its own business (some simulate a warm one): only the entrance is checked.
+        // A view defines its own white (some simulate a warm one), so only the interchange space is checked.
         const Entrance entrance = find_entrance(opened, OCIO::REFERENCE_SPACE_SCENE, where);
         check_scene_linear(opened, entrance, where);
         auto last = OCIO::DisplayViewTransform::Create();

@@ -17,7 +17,7 @@ namespace {
 constexpr const char* role_xyz = "cie_xyz_d65_interchange";
 constexpr const char* role_ap0 = "aces_interchange";
 
-// Between an honest config and a wrong one. Honest ones differ from ours by some 1e-14 if they adapt ACES white by
+// Between a correct config and a wrong one. Correct ones differ from ours by about 1e-14 if they adapt ACES white by
 // Bradford, and by 0.0036 if by CAT02; AP1 taken for AP0 differs by 0.31 (all measured over the probes).
 constexpr double entrance_tolerance = 0.01;
 constexpr double neutral_tolerance = 1e-3;
@@ -117,7 +117,7 @@ std::optional<Image<Rgb>> probes_in(const OpenedConfig& opened, const Entrance& 
     try {
         return convert(make_conversion(opened.config, road_to_space(entrance, space)), probe_colours(), space);
     } catch (const OCIO::Exception&) {
-        return std::nullopt;  // broken (a missing table, say), and not what the user asked for
+        return std::nullopt;  // broken (for example a missing table), and not requested by the user
     }
 }
 
@@ -125,7 +125,7 @@ std::optional<Image<Rgb>> probes_in(const OpenedConfig& opened, const Entrance& 
 int compare_known_spaces(const OpenedConfig& opened, const Entrance& entrance, const std::string& where) {
     int compared = 0;
     for (const KnownSpace& known : known_spaces()) {
-        // Encoded scene spaces are left out: a config may well have another idea of "sRGB - Texture".
+        // Encoded scene spaces are left out: a config may define "sRGB - Texture" differently.
         const bool display = entrance.leads_to == OCIO::REFERENCE_SPACE_DISPLAY;
         if (known.side != entrance.leads_to || !(known.linear || display)) continue;
         for (const std::string& name : known.names) {

@@ -43,7 +43,7 @@ private:
     std::string path_;
 };
 
-// OpenColorIO's text tells what it tried, and names the temporary file, which means nothing to the user.
+// OpenColorIO's text says what it tried, and names the temporary file, which has no meaning for the user.
 std::string without(std::string message, const std::string& path) {
     const std::string preamble = "Error is:";
     if (const auto at = message.find(preamble); at != std::string::npos) message.erase(0, at + preamble.size());
@@ -81,7 +81,8 @@ Conversion make_conversion_with_ctf(const OCIO::ConstConfigRcPtr& config, const 
     const auto lossless = config->getProcessor(transform)->getOptimizedProcessor(OCIO::OPTIMIZATION_LOSSLESS);
     Conversion conversion = make_conversion(config, transform);
     if (!conversion.matrix) {
-        // Tables lose their last bit in the text. Reading it back makes what is applied what is carried.
+        // Tables lose their last bit in the text. Reading it back makes the applied transform the same as the stored
+        // one.
         return read_ctf(write_ctf(config, lossless->createGroupTransform()), where);
     }
     auto carried = OCIO::GroupTransform::Create();

@@ -20,7 +20,7 @@ double round_to_15_digits(double value) {
     return std::strtod(text.data(), nullptr);
 }
 
-// The product of a group that holds nothing but matrices without offsets and without a say on alpha.
+// The product of a group that holds nothing but matrices without offsets and without an effect on alpha.
 std::optional<glm::dmat3> matrix_of(const OCIO::ConstGroupTransformRcPtr& group) {
     glm::dmat3 product(1.0);
     for (int i = 0; i < group->getNumTransforms(); ++i) {

@@ -13,7 +13,7 @@
 namespace nacre {
 namespace {
 
-// No table of light ends below, but one in micrometres does.
+// No table for light ends below this, but one in micrometres does.
 constexpr double least_last_nm = 100.0;
 constexpr std::size_t largest_csv_bytes = 64u << 20;
 

@@ -139,7 +139,7 @@ IndexRow read_row(std::string_view content, int line, const IndexTable& table, c
 }
 
 Block read_table(const YamlNode& node, bool gives_n, bool gives_k, const std::string& file) {
-    // A range that is written beside a table says no more than its rows.
+    // A range beside a table adds nothing to its rows.
     static const std::array<std::string, 3> known{"type", "data", "wavelength_range"};
     expect_known_keys(node, known, file);
     const YamlNode& data = text_of(node, "data", file);

@@ -27,7 +27,7 @@ Where where_of(const toml::source_region& source, const std::string& file) {
     return {file, static_cast<int>(source.begin.line), static_cast<int>(source.begin.column)};
 }
 
-// Walks toml++'s tree once; after that nobody else needs to know the library.
+// Converts toml++'s tree once, so that no other code needs the library.
 class Converter {
 public:
     explicit Converter(const std::string& file) : file_(file) {}
@@ -154,7 +154,7 @@ Table read(const std::string& path, std::vector<std::filesystem::path>& open_fil
         try {
             merge(result, read(file.string(), open_files, file_count));
         } catch (const IoError& error) {
-            table.fail(includes->where, error.what());  // a scene that names a missing file is wrong; the disk is not
+            table.fail(includes->where, error.what());  // the mistake is in the scene, not on the disk
         }
         open_files.pop_back();
     }

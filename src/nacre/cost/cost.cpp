@@ -18,7 +18,7 @@
 namespace nacre {
 namespace {
 
-constexpr int integral_size = 1024;  // large enough to show what an integral errs by
+constexpr int integral_size = 1024;  // large enough to show the error of an integral
 constexpr int mistake_size = 256;
 constexpr std::array fixed_sizes{32, 64, 128, 256, 512, 1024};
 constexpr std::array bounds{5.0, 2.0, 1.0, 0.5, 0.2, 0.1, 0.05, 0.02, 0.01, 0.005, 0.002};
@@ -58,7 +58,7 @@ public:
         lut_.wish = {};
         lut_.wish.max_de00 = bound;
         lut_.job.light = without_wavelengths(lut.job.light);
-        // What others are held against has every effect.
+        // The baselines have every effect.
         lut_.wish.may_drop_effects = false;
         const SettledLut settled = settle(lut_, encoding, after_step);
         lut_.wish.may_drop_effects = true;
@@ -126,7 +126,7 @@ private:
         };
     }
 
-    // Spectra that are sampled: nodes by product integration, and what others do.
+    // Sampled spectra: nodes by product integration, and the baselines.
     void add_samplings() {
         const Light& light = *lut_.job.light;
         add(CostFamily::integral, "chosen nodes", sized(integral_size), PixelFormat::single_float);
@@ -220,7 +220,7 @@ private:
         add(CostFamily::mistake, "cosine axis", std::move(cosine), PixelFormat::half_float);
     }
 
-    // As fine as the integrals, so that nothing but the effect is seen.
+    // As fine as the integrals, so that only the effect changes the colour.
     void add_effects() {
         const EffectSet named = effects_in(lut_.job);
         if (named.is_empty()) return;

@@ -20,7 +20,7 @@ namespace {
 constexpr int degrees_count = 91;
 // Half a cosine is above half its height in the middle two thirds of its width.
 constexpr double half_height_share = 2.0 / 3.0;
-// What both specimens show at their angles, with the flanks of the stacks' bands.
+// The colours of both specimens at their angles, with the flanks of the bands of the stacks.
 constexpr int first_nm = 320;
 constexpr int last_nm = 720;
 
@@ -82,7 +82,7 @@ std::vector<Xyz> colours_at_degrees(const Mechanism& mechanism, const std::share
         if (kind.name == "theta_deg") job.x = {&kind, {}, 0.0, 1.0};
     }
     job.width = degrees_count;
-    // A hundredth of what an eye can tell: errors of interest are above 1.
+    // A hundredth of a just noticeable difference: errors of interest are above 1.
     constexpr double tolerance = 1e-2;
     const int realisations = is_irregular(mechanism) ? band_realisations : 0;
     job.sampling = choose_sampling(job, {tolerance, tolerance, tolerance, 0.0}, {{}, realisations, {}}).sampling;

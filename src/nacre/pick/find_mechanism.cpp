@@ -13,11 +13,11 @@
 namespace nacre {
 namespace {
 
-// Of answers that meet the colours there are enough to choose the simplest from, at so many times what is asked for.
+// Enough answers that meet the colours to choose the simplest from: this many times the requested number.
 constexpr int enough_per_answer = 4;
-// Of answers that do not there are fewer.
+// Fewer are needed of answers that do not.
 constexpr int enough_unmet_per_answer = 2;
-// Of these so many are tried with other whole numbers, and so many are looked at closely.
+// This many of them are tried with other whole numbers, and this many are refined with their own nodes.
 constexpr std::size_t most_polished = 4;
 constexpr std::size_t most_sharpened = 4;
 
@@ -58,7 +58,7 @@ private:
         if (after_step_) after_step_();
     }
 
-    // The bottoms of the valleys, the best first; of those that meet the colours, no more than are wanted.
+    // The local minima, the best first; of those that meet the colours, no more than requested.
     std::vector<Rated> refined(const std::vector<Rated>& starts) {
         std::vector<Rated> answers;
         int met = 0;
@@ -109,7 +109,7 @@ private:
 
 SearchEffort effort_for(const MechanismSearch& search) {
     SearchEffort effort = search_row_of(search.start).effort;
-    // A colour of layers that are uneven, or above a base, takes ten times as long.
+    // A colour of layers with random thicknesses, or above a base, takes ten times as long.
     if (is_irregular(search.start) || search.start.effects.base) effort.table /= 8;
     // Two free numbers are found in a smaller table than six.
     constexpr std::size_t few_dimensions = 10;

@@ -14,7 +14,7 @@ namespace {
 constexpr Xyz d65 = xyz_from_chromaticity(d65_chromaticity);
 constexpr double first_seen_nm = 380.0;
 constexpr double last_seen_nm = 780.0;
-// Peaks count while spectra have some: a peak that far off is as bad as CIEDE2000 1.
+// Peaks count where spectra have them: a peak that far off is as bad as CIEDE2000 1.
 constexpr double nm_per_de00 = 10.0;
 
 struct Range {
@@ -120,7 +120,7 @@ private:
                       d65);
     }
 
-    // Where the spectrum is all but black, its peak is noise.
+    // Where the spectrum is nearly black, its peak is noise.
     double peak_weight(std::size_t angle) const { return std::min(1.0, labs_[angle].l / 20.0) / nm_per_de00; }
 
     void fill(std::span<double> residuals) const {

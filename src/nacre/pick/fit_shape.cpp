@@ -17,8 +17,8 @@ constexpr std::array<double Lobe::*, 3> members{&Lobe::peak_nm, &Lobe::width_nm,
 // Lines are counted in these, so that all three numbers are of one size.
 constexpr Vector unit{100.0, 100.0, 1.0};
 
-// How much a miss of a unit counts even where the eye sees nothing of it, as the peak of black: lines stay defined. It
-// is CIEDE2000 too, and squared it is nothing beside what is seen.
+// The weight of an error of one unit where it cannot be seen, such as the peak of black, so that the lines stay
+// defined. It is in CIEDE2000 too, and its square is negligible beside visible errors.
 constexpr double unseen = 1e-3;
 
 // Offset and slope of three lines.
@@ -66,7 +66,7 @@ public:
     double miss(std::size_t pick, const Lobe& lobe) const { return ciede2000(labs_[pick], lab_of(colour_of_(lobe))); }
 
 private:
-    // What is to vanish: parts of CIEDE2000, and a trifle of each number's own distance.
+    // The residuals: parts of CIEDE2000, and a small weight of the difference of each number.
     using Misses = std::array<double, 6>;
     struct Normal {
         std::array<Unknowns, unknowns> matrix{};

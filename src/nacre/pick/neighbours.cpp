@@ -69,7 +69,8 @@ std::vector<Rated> Neighbours::best_apart(const std::vector<Rated>& sorted, std:
     return best;
 }
 
-// Along two of the numbers, or one: leaps in all at once land anywhere. Beyond an end of the range they are mirrored.
+// Perturbs two of the numbers, or one, because a perturbation of all lands anywhere. Beyond an end of the range it is
+// mirrored.
 Design Neighbours::leap(const Design& from, int number, double length) const {
     const EvenPoints points(from.size());
     const std::vector<double> point = points.at(number);

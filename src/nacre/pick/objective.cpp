@@ -11,10 +11,10 @@ namespace {
 
 constexpr Xyz d65 = xyz_from_chromaticity(d65_chromaticity);
 
-// Of least squares: to see where a valley leads to, and to its bottom.
+// Steps of least squares: to estimate a local minimum, and to reach it.
 constexpr int few_steps = 8;
 constexpr int many_steps = 40;
-// And from the bottom as it is seen coarsely to where it is.
+// Steps from the coarse minimum to the exact one.
 constexpr int last_steps = 12;
 
 std::vector<Geometry> places_of(const MechanismSearch& search) {
@@ -67,7 +67,7 @@ double Objective::error_of(std::span<const Xyz> shown) const {
         const double de00 = ciede2000(wanted_[i], to_lab(shown[i], d65));
         sum += search_.wanted[i].weight * de00 * de00;
     }
-    // What is no number is no answer, and sorts last.
+    // A result that is not finite is not an answer and sorts last.
     return std::isfinite(sum) ? std::sqrt(sum / total_weight_) : std::numeric_limits<double>::infinity();
 }
 
@@ -126,7 +126,7 @@ Rated Objective::refined(const Design& start, SearchDetail detail) {
     const Mechanism mechanism = mechanism_of(start);
     if (detail == SearchDetail::table) return descended(start, shown_.sampling_for(mechanism, detail), few_steps);
     const Rated coarse = descended(start, shown_.sampling_for(mechanism, detail), many_steps);
-    // What is too good to be true must not crowd out what is good.
+    // A result that only seems good must not displace a good one.
     Rated fine = rated(coarse.design, SearchDetail::report);
     constexpr double share = 0.02, settled_de00 = 0.01;
     if (std::abs(fine.error - coarse.error) < share * coarse.error + settled_de00) return fine;

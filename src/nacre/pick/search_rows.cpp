@@ -11,7 +11,7 @@
 namespace nacre {
 namespace {
 
-// A layer more is as much as so many nanometres.
+// One layer more counts as much as this many nanometres.
 constexpr double nm_per_layer = 100.0;
 
 double thickness_nm(const std::vector<Layer>& layers) {

@@ -11,7 +11,7 @@ namespace nacre {
 namespace {
 
 struct SamplingRule {
-    double nodes_per_fringe;  // Chebyshev's want pi before their error falls
+    double nodes_per_fringe;  // Chebyshev nodes need pi before their error falls
     int fewest_nodes;
     int most_nodes;
     double nm_per_slice;  // of a crystal's planes

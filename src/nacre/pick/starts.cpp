@@ -28,8 +28,8 @@ std::vector<Rated> Starts::table_of(int count, const Design* fixed) {
     return table;
 }
 
-// The best of the table, no two of them close neighbours. Every choice of whole numbers has its share of half of them:
-// least squares cannot change those, and what looks bad in a table may end well.
+// The best of the table, no two of them close neighbours. Half of the places are shared among all choices of whole
+// numbers, because least squares cannot change those, and a design that is bad in the table may become good.
 std::vector<Rated> Starts::valleys(const std::vector<Rated>& sorted, std::size_t wanted) const {
     std::map<std::vector<double>, std::vector<const Design*>> groups;
     for (const Rated& candidate : sorted) groups[objective_.whole_numbers(candidate.design)];
@@ -60,7 +60,7 @@ void Starts::follow(std::vector<Rated>& valleys) {
     std::stable_sort(valleys.begin(), valleys.end(), is_better);
 }
 
-// The most promising whole numbers have a table of their own.
+// The most promising whole numbers get a table of their own.
 std::vector<Rated> Starts::deepened(const std::vector<Rated>& followed, std::size_t wanted) {
     constexpr std::size_t most_deepened = 5;
     std::vector<std::vector<double>> looked_at;

@@ -256,7 +256,7 @@ Xyz GratingColour::at_nodes(double u) const {
         const bool is_near = place != order_.end() && *place <= sample.x + reach;
         double power = ripple * far_sum(sample, first, is_near ? first + 1 : first);
         if (is_near) {
-            // The line's top, 1 - (pi t)^2 / 3; the next term is below 1e-11.
+            // The top of the line, 1 - (pi t)^2 / 3; the next term is below 1e-11.
             const double top = 1.0 - square(pi * grooves * (sample.x - order_[first])) / 3.0;
             power += (orders_[first] == 0 ? 2.0 : 1.0) * sample.efficiency[first] * top;
         }

@@ -223,7 +223,7 @@ void LayeredColour::count(const SpectralNodes& nodes, Work& work) const {
     for (const int half_space : {system.incident, system.substrate}) {
         if (is_dispersive(system, half_space)) work_of(work.effects, Effect::dispersion).layers += samples;
     }
-    // Layers that are blurred are the scene's no more than nodes are.
+    // Layers that were made incoherent, like nodes, are not part of the scene.
     incoherent -= std::min<std::uint64_t>(incoherent, sampling_.blurred.size());
     work_of(work.effects, Effect::incoherent_layers).layers += spectra * incoherent;
 }

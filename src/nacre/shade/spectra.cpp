@@ -12,7 +12,7 @@ std::vector<Response> responses_at(const Mechanism& mechanism, const Geometry& g
     if (wavelengths_nm.empty()) return {};
     const double tilt_deg = mechanism.effects.tilt_deg;
     if (tilt_deg == 0.0) return shading_of(mechanism).responses(mechanism, geometry, wavelengths_nm);
-    // Facet by facet: a spectrum is asked for once, and wants no curve.
+    // Facet by facet: a spectrum is needed once, so no curve is prepared.
     constexpr int realisations_of_facets = 256;
     std::optional<LayeredSpectra> layers;
     if (is_layered(mechanism)) layers.emplace(mechanism, wavelengths_nm, realisations_of_facets);

@@ -68,7 +68,7 @@ double solved_layers(const LayerSystem& system) {
 double effort_per_sample(const Mechanism& mechanism, int slices) {
     constexpr double of_a_layer = 0.25;
     constexpr double of_a_line = 4.0;  // a grating's, within one nanometre
-    // Of uneven layers two are asked for, because then none of them repeats.
+    // Two samples are requested of random thicknesses, because then no layer repeats.
     if (is_layered(mechanism))
         return 1.0 + of_a_layer * solved_layers(layer_ensemble(mechanism, 2, {}, slices).systems.front());
     return std::holds_alternative<Grating>(mechanism) ? of_a_line : 1.0;

@@ -132,7 +132,8 @@ std::vector<Tick> axis_ticks(const Axis& axis, int length_px, bool is_horizontal
 
 namespace {
 
-// What a picture may take, in reflectances of a film: some seconds. A dearer one is baked smaller and enlarged.
+// The effort limit of a picture, in reflectances of a film: a few seconds. A more expensive one is baked smaller and
+// enlarged.
 constexpr double most_panel_effort = 3e9;
 
 // By how much both sides are divided.
@@ -186,7 +187,7 @@ Panel bake_panel(const Job& job, const PlotArea& area) {
     Job sized = job;
     sized.width = area.width;
     sized.height = job.y ? area.height : 1;
-    sized.integral = Integral::fast;  // 8 bits do not see the difference
+    sized.integral = Integral::fast;  // the difference is invisible in 8 bits
     sized.sampling = choose_sampling(sized, {0.1, 1.0, 0.1, 0.0}).sampling;
     if (const double reduction = panel_reduction(sized); job.y && reduction > 1.0) {
         constexpr double smallest = 64.0;

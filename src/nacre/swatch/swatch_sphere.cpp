@@ -127,7 +127,7 @@ SphereTable sphere_table(const Job& job) {
     fine.y.reset();
     fine.width = table_size;
     fine.height = 1;
-    fine.integral = Integral::fast;  // 8 bits do not see the difference
+    fine.integral = Integral::fast;  // the difference is invisible in 8 bits
     fine.sampling = choose_sampling(fine, {0.1, 1.0, 0.1, 0.0}).sampling;
     SphereTable table{bake(fine), quantity, 0.0};
     for (const Xyz& colour : table.colours) table.brightest = std::max(table.brightest, colour.y);

@@ -48,7 +48,7 @@ public:
     }
 
 private:
-    const Grating grating_;
+    Grating grating_;
     std::vector<int> orders_;
     std::vector<double> nm_;
     Colours weight_;

@@ -18,8 +18,8 @@ constexpr const char* morpho =
     "picks = [ { angle_deg = 0,  peak_nm = 460, width_nm = 70, height = 1.0 },\n"
     "          { angle_deg = 40, peak_nm = 395, width_nm = 60, height = 0.7 } ]\n";
 
-ProgramResult run(const TemporaryFolder& folder, std::vector<std::string> arguments) {
-    return run_nacre(std::move(arguments), {folder.path(), {}, {}, {}});
+ProgramResult run(const TemporaryFolder& folder, const std::vector<std::string>& arguments) {
+    return run_nacre(arguments, {folder.path(), {}, {}, {}});
 }
 
 ProgramResult bake(const TemporaryFolder& folder, const std::string& scene, std::vector<std::string> more) {

@@ -1,7 +1,7 @@
 // When the system refuses: exit code 3, one line, and no partial file.
 #include <gtest/gtest.h>
 #include <sched.h>
-#include <signal.h>
+#include <signal.h>  // NOLINT(modernize-deprecated-headers): POSIX
 #include <sys/mount.h>
 #include <sys/resource.h>
 #include <sys/stat.h>

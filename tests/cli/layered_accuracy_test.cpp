@@ -161,7 +161,7 @@ private:
     // At most so many, spread evenly.
     std::vector<double> critical() const {
         constexpr std::size_t most = 6;
-        const std::vector<double> all = model_.critical_coordinates();
+        std::vector<double> all = model_.critical_coordinates();
         if (all.size() <= most) return all;
         std::vector<double> some;
         for (std::size_t i = 0; i < most; ++i) some.push_back(all[i * (all.size() - 1) / (most - 1)]);

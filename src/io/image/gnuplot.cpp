@@ -13,8 +13,10 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <ios>
 #include <sstream>
 #include <string_view>
+#include <system_error>
 
 #include "io/scene/text_file.h"
 #include "nacre/base/error.h"

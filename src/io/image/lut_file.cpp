@@ -14,6 +14,7 @@
 #include "nacre/base/error.h"
 #include "nacre/base/text.h"
 #include "nacre/lut/formats.h"
+#include "nacre/lut/planned_lut.h"
 #include "nacre/scene/plan.h"
 
 namespace nacre {

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstddef>
 
+#include "nacre/base/image.h"
+
 namespace nacre {
 namespace {
 

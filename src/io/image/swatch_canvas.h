@@ -3,6 +3,7 @@
 #include <string>
 
 #include "io/image/text_face.h"
+#include "nacre/base/image.h"
 #include "nacre/colour/colour_types.h"
 #include "nacre/swatch/swatch_picture.h"
 

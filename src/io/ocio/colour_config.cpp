@@ -6,11 +6,14 @@
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
+#include <string_view>
+#include <system_error>
 #include <utility>
 
 #include "io/disk/hash.h"
 #include "io/ocio/colour_entrance.h"
 #include "io/ocio/known_spaces.h"
+#include "io/ocio/ocio_detail.h"
 #include "nacre/base/error.h"
 #include "nacre/base/names.h"
 

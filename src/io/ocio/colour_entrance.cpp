@@ -9,7 +9,9 @@
 
 #include "io/ocio/known_spaces.h"
 #include "nacre/base/error.h"
+#include "nacre/base/image.h"
 #include "nacre/base/names.h"
+#include "nacre/colour/colour_types.h"
 
 namespace nacre {
 namespace {

@@ -1,5 +1,6 @@
 #include "io/ocio/colour_transform.h"
 
+#include <cstddef>
 #include <utility>
 
 #include "io/ocio/known_spaces.h"

@@ -2,7 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <sstream>
+
+#include "nacre/base/image.h"
+#include "nacre/colour/colour_types.h"
 
 namespace nacre {
 namespace {

@@ -1,11 +1,14 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "io/ocio/ocio_detail.h"
+#include "nacre/base/image.h"
+#include "nacre/colour/colour_types.h"
 
 namespace nacre {
 

@@ -4,6 +4,8 @@
 #include <filesystem>
 #include <locale>
 #include <sstream>
+#include <string>
+#include <system_error>
 
 #include "io/disk/hash.h"
 #include "io/ocio/ocio_detail.h"

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 #include <string_view>
+#include <system_error>
 
 #include "io/scene/text_file.h"
 #include "nacre/base/error.h"

@@ -4,6 +4,7 @@
 #include <charconv>
 #include <cmath>
 #include <cstddef>
+#include <system_error>
 
 #include "io/scene/curve_csv.h"
 #include "io/scene/text_file.h"

@@ -8,6 +8,7 @@
 #include <optional>
 #include <span>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include "io/scene/index_table.h"
@@ -15,6 +16,7 @@
 #include "io/scene/yaml_tree.h"
 #include "nacre/base/error.h"
 #include "nacre/base/names.h"
+#include "nacre/base/sampled_curve.h"
 #include "nacre/base/text.h"
 
 namespace nacre {

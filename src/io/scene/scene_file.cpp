@@ -1,5 +1,10 @@
 #include "io/scene/scene_file.h"
 
+#include <cstddef>
+#include <memory>
+#include <system_error>
+#include <variant>
+
 #include <toml++/toml.h>
 #include <algorithm>
 #include <filesystem>
@@ -14,6 +19,7 @@
 #include "nacre/base/error.h"
 #include "nacre/base/names.h"
 #include "nacre/base/text.h"
+#include "nacre/base/where.h"
 
 namespace nacre {
 namespace {

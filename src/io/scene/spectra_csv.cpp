@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <numeric>
 #include <string_view>
+#include <system_error>
 #include <vector>
 
 #include "io/scene/curve_csv.h"

@@ -1,6 +1,8 @@
 // Relative spectral power of CIE illuminants every 5 nm (CIE 15), as colour-science/colour (BSD-3-Clause)
 // carries them; FL2, FL7, FL11 are tabulated over 380-780 nm, D55 and D75 up to 780 nm, and are 0 outside (CIE's rule).
 // Licences and checks: README.md in this folder. This file holds only data.
+#include <array>
+
 #include "nacre/colour/cie_tables.h"
 
 namespace nacre {

@@ -3,6 +3,8 @@
 // CIE 1931 2 degrees: the table of ISO/CIE 11664-1 as mmp/pbrt-v4 (Apache-2.0) carries it.
 // CIE 1964 10 degrees: as colour-science/colour (BSD-3-Clause) carries it; z_bar is 0 above 559 nm.
 // Licences and checks: README.md in this folder. This file holds only data.
+#include <array>
+
 #include "nacre/colour/cie_tables.h"
 
 namespace nacre {

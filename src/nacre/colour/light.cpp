@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "nacre/colour/colour_types.h"
+
 namespace nacre {
 
 Light make_light(LightSettings settings) {

@@ -7,8 +7,11 @@
 #include <glm/mat3x3.hpp>
 
 #include "nacre/base/sampled_curve.h"
+#include "nacre/base/spectrum.h"
 #include "nacre/colour/adaptation.h"
+#include "nacre/colour/colour_types.h"
 #include "nacre/colour/lobe_moments.h"
+#include "nacre/colour/observer.h"
 #include "nacre/colour/tristimulus.h"
 
 namespace nacre {

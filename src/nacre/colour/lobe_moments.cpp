@@ -11,6 +11,8 @@
 #include <hwy/foreach_target.h>  // compiles the rest of this file once per instruction set
 #include <hwy/highway.h>
 
+#include "nacre/colour/colour_types.h"
+
 #ifndef NACRE_LOBE_TERMS
 #define NACRE_LOBE_TERMS
 namespace nacre {

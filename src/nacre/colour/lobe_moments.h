@@ -3,6 +3,7 @@
 #include <array>
 #include <vector>
 
+#include "nacre/colour/colour_types.h"
 #include "nacre/colour/tristimulus.h"
 
 namespace nacre {

@@ -6,6 +6,8 @@
 #include <cstddef>
 #include <numbers>
 
+#include "nacre/base/spectrum.h"
+
 namespace nacre {
 namespace {
 

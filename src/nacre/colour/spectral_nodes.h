@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "nacre/base/spectrum.h"
 #include "nacre/colour/tristimulus.h"
 
 namespace nacre {

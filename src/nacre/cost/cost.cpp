@@ -3,17 +3,35 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <memory>
 #include <utility>
+#include <variant>
 
 #include "nacre/accuracy/scan.h"
+#include "nacre/accuracy/trial.h"
+#include "nacre/base/image.h"
 #include "nacre/base/text.h"
+#include "nacre/base/words.h"
+#include "nacre/colour/colour_types.h"
+#include "nacre/colour/light.h"
+#include "nacre/colour/observer.h"
+#include "nacre/colour/spectral_nodes.h"
 #include "nacre/cost/effect_cost.h"
 #include "nacre/cost/rivals.h"
+#include "nacre/lut/axis_kinds.h"
+#include "nacre/lut/bake.h"
+#include "nacre/lut/fetch.h"
 #include "nacre/lut/formats.h"
 #include "nacre/lut/job.h"
 #include "nacre/lut/planned_lut.h"
+#include "nacre/lut/sampler.h"
+#include "nacre/material/effects.h"
+#include "nacre/material/geometry.h"
+#include "nacre/material/mechanism.h"
+#include "nacre/optics/palette.h"
 #include "nacre/shade/integral.h"
+#include "nacre/shade/spectral_sampling.h"
 
 namespace nacre {
 namespace {

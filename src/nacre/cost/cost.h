@@ -1,11 +1,17 @@
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <string>
 #include <vector>
 
 #include "nacre/accuracy/settle.h"
+#include "nacre/base/image.h"
+#include "nacre/colour/colour_types.h"
+#include "nacre/lut/bake.h"
 #include "nacre/lut/encoding.h"
+#include "nacre/lut/fetch.h"
+#include "nacre/lut/job.h"
 #include "nacre/lut/planned_lut.h"
 #include "nacre/scene/plan.h"
 

@@ -1,5 +1,8 @@
 #include "nacre/cost/effect_cost.h"
 
+#include "nacre/lut/job.h"
+#include "nacre/material/effects.h"
+
 namespace nacre {
 
 Job without_effect(Job job, Effect effect) {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "nacre/lut/job.h"
+#include "nacre/material/effects.h"
 #include "nacre/scene/plan.h"
 
 namespace nacre {

@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "nacre/colour/adaptation.h"
+#include "nacre/colour/colour_types.h"
 #include "nacre/colour/observer.h"
 #include "nacre/colour/rgb_space.h"
 #include "nacre/colour/whole_cells.h"

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "nacre/colour/colour_types.h"
 #include "nacre/colour/light.h"
 #include "nacre/colour/spectral_nodes.h"
 #include "nacre/optics/lobe.h"

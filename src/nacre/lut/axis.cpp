@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "nacre/material/geometry.h"
+
 namespace nacre {
 
 double Axis::parameter_value(double coordinate) const {

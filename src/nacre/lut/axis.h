@@ -3,6 +3,7 @@
 #include <string>
 
 #include "nacre/lut/axis_kinds.h"
+#include "nacre/material/geometry.h"
 #include "nacre/material/mechanism.h"
 
 namespace nacre {

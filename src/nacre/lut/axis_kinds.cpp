@@ -6,6 +6,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "nacre/optics/incidence.h"
+
 namespace nacre {
 namespace {
 

@@ -1,5 +1,10 @@
 #include "nacre/lut/job.h"
 
+#include <variant>
+
+#include "nacre/base/words.h"
+#include "nacre/optics/crystal.h"
+#include "nacre/optics/palette.h"
 #include "nacre/shade/integral.h"
 
 namespace nacre {

@@ -7,6 +7,9 @@
 #include "nacre/base/where.h"
 #include "nacre/lut/formats.h"
 #include "nacre/lut/job.h"
+#include "nacre/material/effects.h"
+#include "nacre/shade/integral.h"
+#include "nacre/shade/spectral_sampling.h"
 
 namespace nacre {
 

@@ -1,9 +1,19 @@
 #include "nacre/lut/sampler.h"
 
 #include <cassert>
+#include <utility>
+#include <variant>
 
+#include "nacre/colour/adaptation.h"
+#include "nacre/lut/axis.h"
 #include "nacre/lut/job.h"
+#include "nacre/material/effects.h"
+#include "nacre/material/geometry.h"
+#include "nacre/material/mechanism.h"
+#include "nacre/optics/incidence.h"
+#include "nacre/optics/lobe.h"
 #include "nacre/shade/kinks.h"
+#include "nacre/shade/palette_colour.h"
 
 namespace nacre {
 namespace {

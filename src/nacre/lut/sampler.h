@@ -4,8 +4,13 @@
 
 #include "nacre/colour/colour_types.h"
 #include "nacre/lut/job.h"
+#include "nacre/material/geometry.h"
+#include "nacre/material/mechanism.h"
+#include "nacre/optics/incidence.h"
+#include "nacre/optics/lobe.h"
 #include "nacre/optics/palette.h"
 #include "nacre/shade/prepared_colour.h"
+#include "nacre/shade/spectral_sampling.h"
 #include "nacre/shade/tilt.h"
 #include "nacre/shade/work.h"
 

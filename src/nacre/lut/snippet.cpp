@@ -7,6 +7,7 @@
 
 #include "nacre/base/text.h"
 #include "nacre/lut/axis_kinds.h"
+#include "nacre/material/geometry.h"
 
 namespace nacre {
 namespace {

@@ -3,8 +3,11 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <cstddef>
 #include <numbers>
 #include <vector>
+
+#include "nacre/optics/refractive_index.h"
 
 namespace nacre {
 namespace {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "nacre/optics/layer_system.h"
+#include "nacre/optics/refractive_index.h"
 
 namespace nacre {
 

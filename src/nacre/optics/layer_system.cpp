@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 #include <complex>
+#include <utility>
 
 namespace nacre {
 namespace {

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "nacre/optics/layer_system.h"
+#include "nacre/optics/refractive_index.h"
 
 namespace nacre {
 

@@ -1,5 +1,8 @@
 #include "nacre/optics/reversed.h"
 
+#include <cstddef>
+#include <vector>
+
 namespace nacre {
 namespace {
 

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "nacre/optics/incidence.h"
+
 namespace nacre {
 
 Specimen paper_morpho() {

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "nacre/optics/incidence.h"
 #include "nacre/optics/palette.h"
 
 namespace nacre {

@@ -3,6 +3,10 @@
 #include <vector>
 
 #include "nacre/base/text.h"
+#include "nacre/optics/incidence.h"
+#include "nacre/optics/layered.h"
+#include "nacre/optics/palette.h"
+#include "nacre/paper/paper.h"
 #include "nacre/paper/paper_figures.h"
 #include "nacre/paper/paper_stacks.h"
 #include "nacre/shade/band.h"

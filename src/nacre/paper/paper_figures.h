@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "nacre/colour/light.h"
+#include "nacre/optics/palette.h"
 #include "nacre/paper/paper.h"
 
 namespace nacre {

@@ -8,11 +8,19 @@
 #include <utility>
 
 #include "nacre/accuracy/choose_sampling.h"
+#include "nacre/base/image.h"
 #include "nacre/base/text.h"
 #include "nacre/colour/difference.h"
+#include "nacre/lut/axis_kinds.h"
 #include "nacre/lut/bake.h"
+#include "nacre/lut/job.h"
+#include "nacre/optics/incidence.h"
+#include "nacre/optics/layered.h"
+#include "nacre/optics/palette.h"
+#include "nacre/paper/paper.h"
 #include "nacre/shade/band.h"
 #include "nacre/shade/spectra.h"
+#include "nacre/shade/spectral_sampling.h"
 
 namespace nacre {
 namespace {

@@ -7,6 +7,9 @@
 #include "nacre/colour/colour_types.h"
 #include "nacre/colour/light.h"
 #include "nacre/material/mechanism.h"
+#include "nacre/optics/layered.h"
+#include "nacre/optics/palette.h"
+#include "nacre/paper/paper.h"
 #include "nacre/paper/paper_figures.h"
 #include "nacre/paper/paper_stacks.h"
 

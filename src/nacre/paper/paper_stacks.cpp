@@ -3,6 +3,9 @@
 #include <cassert>
 #include <utility>
 
+#include "nacre/optics/incidence.h"
+#include "nacre/optics/refractive_index.h"
+
 namespace nacre {
 namespace {
 

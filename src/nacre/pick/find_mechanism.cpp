@@ -3,12 +3,15 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
 #include <utility>
 
 #include "nacre/pick/neighbours.h"
 #include "nacre/pick/objective.h"
 #include "nacre/pick/search_rows.h"
+#include "nacre/pick/shown_colours.h"
 #include "nacre/pick/starts.h"
+#include "nacre/shade/spectral_sampling.h"
 
 namespace nacre {
 namespace {

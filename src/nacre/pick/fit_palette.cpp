@@ -3,8 +3,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 
+#include "nacre/colour/adaptation.h"
+#include "nacre/colour/colour_types.h"
 #include "nacre/colour/difference.h"
+#include "nacre/colour/tristimulus.h"
+#include "nacre/optics/incidence.h"
 #include "nacre/pick/lobe/lobe_finder.h"
 #include "nacre/shade/measured_colour.h"
 

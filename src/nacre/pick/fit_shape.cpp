@@ -6,7 +6,10 @@
 #include <cstddef>
 #include <set>
 
+#include "nacre/colour/colour_types.h"
 #include "nacre/colour/difference.h"
+#include "nacre/optics/incidence.h"
+#include "nacre/optics/lobe.h"
 
 namespace nacre {
 namespace {

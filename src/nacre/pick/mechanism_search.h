@@ -10,6 +10,7 @@
 #include "nacre/colour/colour_types.h"
 #include "nacre/material/geometry.h"
 #include "nacre/material/mechanism.h"
+#include "nacre/optics/refractive_index.h"
 
 namespace nacre {
 

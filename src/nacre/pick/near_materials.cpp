@@ -2,7 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
 #include <cstddef>
+#include <string>
+
+#include "nacre/base/least_squares.h"
+#include "nacre/colour/light.h"
+#include "nacre/optics/refractive_index.h"
 
 namespace nacre {
 namespace {

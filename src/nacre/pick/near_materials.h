@@ -2,8 +2,11 @@
 
 #include <memory>
 #include <span>
+#include <string>
 #include <vector>
 
+#include "nacre/base/least_squares.h"
+#include "nacre/optics/refractive_index.h"
 #include "nacre/pick/find_mechanism.h"
 #include "nacre/pick/mechanism_search.h"
 

@@ -6,6 +6,8 @@
 #include <utility>
 
 #include "nacre/base/even_points.h"
+#include "nacre/pick/mechanism_search.h"
+#include "nacre/pick/shown_colours.h"
 
 namespace nacre {
 

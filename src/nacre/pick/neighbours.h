@@ -1,9 +1,11 @@
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <vector>
 
 #include "nacre/pick/find_mechanism.h"
+#include "nacre/pick/mechanism_search.h"
 #include "nacre/pick/objective.h"
 
 namespace nacre {

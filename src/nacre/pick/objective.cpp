@@ -6,6 +6,11 @@
 #include <limits>
 #include <utility>
 
+#include "nacre/colour/colour_types.h"
+#include "nacre/material/geometry.h"
+#include "nacre/material/mechanism.h"
+#include "nacre/shade/spectral_sampling.h"
+
 namespace nacre {
 namespace {
 

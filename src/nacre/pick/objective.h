@@ -1,11 +1,14 @@
 #pragma once
 
+#include <cstddef>
 #include <span>
 #include <vector>
 
 #include "nacre/base/least_squares.h"
+#include "nacre/colour/colour_types.h"
 #include "nacre/colour/difference.h"
 #include "nacre/colour/light.h"
+#include "nacre/material/mechanism.h"
 #include "nacre/pick/mechanism_search.h"
 #include "nacre/pick/shown_colours.h"
 

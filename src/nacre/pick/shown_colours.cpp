@@ -2,10 +2,20 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <utility>
+#include <variant>
 
 #include "nacre/colour/adaptation.h"
+#include "nacre/colour/colour_types.h"
+#include "nacre/colour/spectral_nodes.h"
+#include "nacre/material/geometry.h"
+#include "nacre/material/mechanism.h"
+#include "nacre/optics/crystal.h"
+#include "nacre/optics/grating.h"
 #include "nacre/shade/integral.h"
 #include "nacre/shade/prepared_colour.h"
+#include "nacre/shade/work.h"
 
 namespace nacre {
 namespace {

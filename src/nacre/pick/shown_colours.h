@@ -1,11 +1,16 @@
 #pragma once
 
+#include <cstddef>
 #include <map>
 #include <memory>
 #include <span>
 #include <vector>
 
+#include "nacre/colour/colour_types.h"
 #include "nacre/colour/light.h"
+#include "nacre/colour/spectral_nodes.h"
+#include "nacre/material/geometry.h"
+#include "nacre/material/mechanism.h"
 #include "nacre/pick/mechanism_search.h"
 #include "nacre/shade/grating_pieces.h"
 #include "nacre/shade/spectral_sampling.h"

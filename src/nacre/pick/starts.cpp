@@ -5,6 +5,8 @@
 #include <utility>
 
 #include "nacre/base/even_points.h"
+#include "nacre/pick/mechanism_search.h"
+#include "nacre/pick/shown_colours.h"
 
 namespace nacre {
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "nacre/pick/find_mechanism.h"
+#include "nacre/pick/mechanism_search.h"
 #include "nacre/pick/objective.h"
 
 namespace nacre {

@@ -4,7 +4,17 @@
 #include <cmath>
 #include <cstddef>
 #include <string>
+#include <variant>
+#include <vector>
 
+#include "nacre/base/image.h"
+#include "nacre/colour/colour_types.h"
+#include "nacre/lut/job.h"
+#include "nacre/material/geometry.h"
+#include "nacre/material/mechanism.h"
+#include "nacre/optics/incidence.h"
+#include "nacre/optics/lobe.h"
+#include "nacre/optics/palette.h"
 #include "nacre/scene/planned_swatch.h"
 #include "nacre/swatch/swatch_gamut.h"
 #include "nacre/swatch/swatch_layout.h"

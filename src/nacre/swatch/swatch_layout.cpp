@@ -4,13 +4,21 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <string_view>
 #include <utility>
+#include <variant>
 
 #include "nacre/accuracy/choose_sampling.h"
+#include "nacre/base/image.h"
 #include "nacre/base/text.h"
+#include "nacre/colour/colour_types.h"
+#include "nacre/colour/light.h"
+#include "nacre/colour/observer.h"
 #include "nacre/lut/bake.h"
 #include "nacre/lut/job.h"
 #include "nacre/lut/sampler.h"
+#include "nacre/material/geometry.h"
+#include "nacre/optics/palette.h"
 #include "nacre/shade/integral.h"
 #include "nacre/shade/spectral_sampling.h"
 

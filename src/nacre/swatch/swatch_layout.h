@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "nacre/lut/axis.h"
+#include "nacre/lut/job.h"
 #include "nacre/scene/plan.h"
 #include "nacre/swatch/swatch_picture.h"
 

@@ -4,8 +4,15 @@
 #include <cmath>
 #include <cstddef>
 #include <numbers>
+#include <string>
 
+#include "nacre/base/image.h"
 #include "nacre/base/text.h"
+#include "nacre/colour/colour_types.h"
+#include "nacre/lut/axis.h"
+#include "nacre/lut/job.h"
+#include "nacre/material/geometry.h"
+#include "nacre/pick/picked_colour.h"
 #include "nacre/scene/planned_swatch.h"
 #include "nacre/swatch/swatch_gamut.h"
 #include "nacre/swatch/swatch_layout.h"

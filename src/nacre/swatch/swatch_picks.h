@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstddef>
+
 #include "nacre/scene/plan.h"
 #include "nacre/scene/planned_swatch.h"
 #include "nacre/swatch/swatch_picture.h"

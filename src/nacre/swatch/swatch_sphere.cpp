@@ -7,7 +7,12 @@
 #include <glm/vec3.hpp>
 
 #include "nacre/accuracy/choose_sampling.h"
+#include "nacre/colour/colour_types.h"
+#include "nacre/lut/axis.h"
 #include "nacre/lut/bake.h"
+#include "nacre/lut/job.h"
+#include "nacre/material/geometry.h"
+#include "nacre/material/mechanism.h"
 #include "nacre/shade/integral.h"
 #include "nacre/swatch/swatch_gamut.h"
 

@@ -1,6 +1,9 @@
 #pragma once
 
 #include "nacre/base/image.h"
+#include "nacre/colour/colour_types.h"
+#include "nacre/lut/job.h"
+#include "nacre/material/geometry.h"
 #include "nacre/scene/plan.h"
 
 namespace nacre {

@@ -2,9 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
 #include <cstddef>
 #include <numbers>
+#include <vector>
 
+#include "nacre/optics/refractive_index.h"
 #include "nacre/optics/transverse.h"
 
 namespace nacre {

@@ -1,12 +1,23 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <complex>
+#include <cstddef>
 #include <limits>
+#include <memory>
 #include <numbers>
+#include <span>
 #include <utility>
+#include <vector>
 
+#include "nacre/optics/incidence.h"
+#include "nacre/optics/layer_system.h"
 #include "nacre/optics/multilayer/multilayer.h"
 #include "nacre/optics/multilayer/multilayer_kernel.h"
+#include "nacre/optics/polarisation.h"
+#include "nacre/optics/refractive_index.h"
+#include "nacre/optics/response.h"
+#include "nacre/optics/transverse.h"
 
 namespace nacre {
 namespace {

@@ -4,9 +4,11 @@
 #include <cassert>
 #include <cmath>
 #include <cstddef>
+#include <optional>
 #include <utility>
 
 #include "nacre/colour/xyz_sums.h"
+#include "nacre/pick/lobe/nearest_downhill.h"
 #include "nacre/pick/lobe/polished_lobe.h"
 
 namespace nacre {

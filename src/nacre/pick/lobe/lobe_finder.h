@@ -9,6 +9,7 @@
 #include "nacre/colour/tristimulus.h"
 #include "nacre/pick/lobe/lobe_colours.h"
 #include "nacre/pick/lobe/lobe_roots.h"
+#include "nacre/pick/lobe/nearest_downhill.h"
 #include "nacre/pick/lobe/nearest_lobe.h"
 
 namespace nacre {

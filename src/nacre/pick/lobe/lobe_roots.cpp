@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "nacre/colour/colour_types.h"
+
 namespace nacre {
 namespace {
 

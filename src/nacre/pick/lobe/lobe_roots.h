@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "nacre/colour/colour_types.h"
 #include "nacre/pick/lobe/lobe_colours.h"
 
 namespace nacre {

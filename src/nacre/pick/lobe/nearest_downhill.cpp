@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 
+#include "nacre/colour/colour_types.h"
 #include "nacre/pick/lobe/many_differences.h"
 #include "nacre/pick/lobe/quadratic.h"
 

@@ -6,6 +6,7 @@
 #include <limits>
 #include <utility>
 
+#include "nacre/colour/colour_types.h"
 #include "nacre/pick/lobe/many_differences.h"
 #include "nacre/pick/lobe/polished_lobe.h"
 

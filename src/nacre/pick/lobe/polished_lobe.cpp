@@ -5,6 +5,7 @@
 #include <cmath>
 #include <span>
 
+#include "nacre/colour/colour_types.h"
 #include "nacre/colour/xyz_sums.h"
 
 namespace nacre {

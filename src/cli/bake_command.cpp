@@ -1,27 +1,30 @@
-#include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
-
 #include <algorithm>
-#include <atomic>
+#include <cstddef>
 #include <cstdio>
-#include <nlohmann/json.hpp>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
 
-#include "cli/bake_task.h"
+#include "cli/bake_report.h"
 #include "cli/commands.h"
-#include "cli/report.h"
-#include "cli/stop_signal.h"
+#include "cli/common_options.h"
+#include "cli/execution.h"
+#include "cli/scenes.h"
+#include "io/disk/output_folder.h"
 #include "io/image/font.h"
 #include "nacre/base/error.h"
 #include "nacre/base/names.h"
+#include "nacre/lut/gamut.h"
 #include "nacre/lut/job.h"
 #include "nacre/lut/planned_lut.h"
 #include "nacre/scene/output_names.h"
+#include "pipeline/bake_task.h"
+#include "pipeline/decide.h"
+#include "pipeline/json.h"
 
 namespace nacre {
 namespace {
-
-// Files that are made durable together: one flush of the disk for so many, and never more of them half-way.
-constexpr std::size_t files_per_commit = 512;
 
 struct BakeOptions {
     std::vector<std::string> scenes;
@@ -38,18 +41,6 @@ struct BakeOptions {
     bool dry_run = false;
 };
 
-std::vector<BakeTask> list_tasks(const std::vector<LoadedScene>& scenes, bool with_luts) {
-    std::vector<BakeTask> tasks;
-    for (const LoadedScene& scene : scenes) {
-        if (with_luts) {
-            for (const PlannedLut& lut : scene.plan.luts) tasks.push_back({&scene, &lut, nullptr, 0, nullptr});
-        }
-        for (std::size_t i = 0; i < scene.plan.swatches.size(); ++i)
-            tasks.push_back({&scene, nullptr, &scene.plan.swatches[i], i, nullptr});
-    }
-    return tasks;
-}
-
 // "I/N", 1 <= I <= N: every N-th task, beginning with the I-th.
 void keep_shard(std::vector<BakeTask>& tasks, const std::string& shard) {
     if (shard.empty()) return;
@@ -57,47 +48,47 @@ void keep_shard(std::vector<BakeTask>& tasks, const std::string& shard) {
     unsigned count = 0;
     char rest = 0;
     if (std::sscanf(shard.c_str(), "%6u/%6u%c", &index, &count, &rest) != 2 || index < 1 || index > count) {
-        throw Error("--shard " + shard + ": is no shard; give I/N with 1 <= I <= N");
+        throw Error("--shard " + in_quotes(shard) + ": is not a shard (I/N); give --shard 1/4 for the first of four");
     }
     std::vector<BakeTask> kept;
     for (std::size_t i = index - 1; i < tasks.size(); i += count) kept.push_back(tasks[i]);
     tasks = std::move(kept);
 }
 
-// The tasks' LUTs, as many and in the same order.
-std::vector<SettledTask> settle_luts(std::vector<BakeTask>& tasks, int threads, Console& console) {
-    std::vector<SettledTask> settled;
+// Decides the tasks' LUTs, and lets the tasks point to what was decided.
+std::vector<DecidedLut> decide_luts(std::vector<BakeTask>& tasks, const Execution& execution) {
+    std::vector<DecidedLut> luts;
     for (const BakeTask& task : tasks) {
         if (task.lut == nullptr) continue;
-        SettledTask& next = settled.emplace_back();
+        DecidedLut& next = luts.emplace_back();
         next.scene = task.scene;
         next.asked = task.lut;
     }
-    settle_all(settled, threads, console);
-    auto next = settled.cbegin();
+    decide_all(luts, execution);
+    auto next = luts.cbegin();
     for (BakeTask& task : tasks) {
-        if (task.lut != nullptr) task.settled = &*next++;
+        if (task.lut != nullptr) task.decided = &*next++;
     }
-    return settled;
+    return luts;
 }
 
 int report_dry_run(const std::vector<BakeTask>& tasks, Console& console) {
-    nlohmann::ordered_json json = nlohmann::ordered_json::array();
+    Json json = Json::array();
     for (const BakeTask& task : tasks) {
         const auto files = task.lut != nullptr ? output_files(*task.lut) : output_files(*task.swatch);
         console.summary("would write " + comma_separated(files) +
-                        (task.lut != nullptr ? "  " + size_text(task.settled->lut.lut.job) : ""));
-        json.push_back({{"files", files}});
+                        (task.lut != nullptr ? "  " + size_text(task.decided->lut.lut.job) : ""));
+        json.push_back(Json{{"files", files}});
     }
-    if (console.json()) console.result_json({{"would_write", json}});
+    if (console.json()) console.result_json(Json{{"would_write", json}});
     return exit_done;
 }
 
 // What all tasks together came to.
 struct Tally {
-    nlohmann::ordered_json luts = nlohmann::ordered_json::array();
-    nlohmann::ordered_json swatches = nlohmann::ordered_json::array();
-    nlohmann::ordered_json failures = nlohmann::ordered_json::array();
+    Json luts = Json::array();
+    Json swatches = Json::array();
+    Json failures = Json::array();
     std::size_t outside_gamut = 0;
     bool misses_bound = false;
 
@@ -108,10 +99,10 @@ struct Tally {
             failures.push_back(outcome.failure);
             return;
         }
-        console.summary(outcome.line);
+        console.summary(bake_line(task, outcome));
         if (!outcome.warning.empty()) console.warning(outcome.warning);
-        outside_gamut += outcome.outside_gamut > 0 && task.scene->plan.colour.gamut == Gamut::keep ? 1 : 0;
-        if (console.json()) (task.lut != nullptr ? luts : swatches).push_back(outcome.json);
+        outside_gamut += outcome.baked.gamut.outside > 0 && task.scene->plan.colour.gamut == Gamut::keep ? 1 : 0;
+        if (console.json()) (task.lut != nullptr ? luts : swatches).push_back(bake_json(task, outcome));
     }
 
     int report(Console& console) const {
@@ -121,98 +112,88 @@ struct Tally {
                             "= \"clip\" or "
                             "\"compress\" removes them, a wider space keeps the colour");
         }
-        if (console.json()) console.result_json({{"luts", luts}, {"swatches", swatches}, {"failures", failures}});
+        if (console.json()) console.result_json(Json{{"luts", luts}, {"swatches", swatches}, {"failures", failures}});
         if (misses_bound) return exit_not_verified;
-        return failures.empty() ? exit_done : exit_some_failed;
+        return failures.size() == 0 ? exit_done : exit_some_failed;
     }
 };
 
-int bake_tasks(const std::vector<BakeTask>& tasks, const BakeOptions& options, Console& console) {
+int bake(const std::vector<BakeTask>& tasks, const BakeOptions& options, const Execution& execution, Console& console) {
     const bool any_picture =
         std::any_of(tasks.begin(), tasks.end(), [](const BakeTask& task) { return task.draws_picture(); });
     const auto font = any_picture ? find_font() : std::filesystem::path();
     OutputFolder folder(options.folder);
-    prepare_encoder();
-    const BakeTarget target{folder, font, options.force, options.best_effort};
-    tbb::task_arena arena(options.threads > 0 ? options.threads : tbb::task_arena::automatic);
     Tally tally;
-    std::atomic<std::size_t> done = 0;
-    for (std::size_t begin = 0; begin < tasks.size(); begin += files_per_commit) {
-        const std::size_t end = std::min(begin + files_per_commit, tasks.size());
-        std::vector<BakeOutcome> outcomes(end - begin);
-        arena.execute([&] {
-            tbb::parallel_for(begin, end, [&](std::size_t i) {
-                throw_if_stopped();
-                outcomes[i - begin] = run_bake_task(tasks[i], target);
-                console.progress(++done, tasks.size());
-            });
-        });
-        throw_if_stopped();
-        folder.commit();
-        for (std::size_t i = begin; i < end; ++i) tally.add(tasks[i], outcomes[i - begin], console);
-    }
+    bake_all(tasks, {folder, font, options.force, options.best_effort}, execution,
+             [&](const BakeTask& task, const BakeOutcome& outcome) { tally.add(task, outcome, console); });
     return tally.report(console);
 }
 
 int run_bake(const BakeOptions& options, bool with_luts, Console& console) {
-    std::vector<LoadedScene> scenes =
-        load_scenes(options.scenes, options.ocio, true, options.only, options.strict, console);
-    if (with_luts) override_accuracy(scenes, options.accuracy, options.effects);
-    std::vector<BakeTask> tasks = list_tasks(scenes, with_luts);
+    SceneRequest request = scene_request(options.ocio, console);
+    request.only = options.only;
+    request.strict = options.strict;
+    std::vector<LoadedScene> scenes = open_scenes(options.scenes, request, console);
+    if (with_luts) override_accuracy(scenes, accuracy_override(options.accuracy, options.effects));
+    std::vector<BakeTask> tasks = bake_tasks(scenes, with_luts);
     keep_shard(tasks, options.shard);
     if (tasks.empty() && !with_luts && options.only.empty() && options.shard.empty())
         throw Error("the scenes have no [swatch.NAME]; add one");
-    const std::vector<SettledTask> settled = settle_luts(tasks, options.threads, console);
-    const std::size_t out_of_reach = report_out_of_reach(settled, options.best_effort, console);
+    const Execution execution = execution_on(options.threads, console);
+    const std::vector<DecidedLut> luts = decide_luts(tasks, execution);
+    const std::size_t out_of_reach = report_out_of_reach(luts, options.best_effort, console);
     if (out_of_reach > 0 && !options.best_effort) {
-        console.error("nothing was written; --best-effort writes the best there is");
+        console.error("nothing was written; --best-effort writes the most accurate LUTs there are");
         return exit_not_verified;
     }
-    return options.dry_run ? report_dry_run(tasks, console) : bake_tasks(tasks, options, console);
+    return options.dry_run ? report_dry_run(tasks, console) : bake(tasks, options, execution, console);
 }
 
-void declare_common(CLI::App& app, BakeOptions& options) {
-    app.add_option("SCENE", options.scenes, "scene files (TOML)")->required()->type_name("");
-    app.add_option("-o,--output", options.folder, "folder for the files; made if it is missing")
-        ->type_name("DIR")
-        ->capture_default_str();
-    app.add_option("--only", options.only, "only the LUT or swatch of this name; may be repeated")
-        ->type_name("NAME")
-        ->allow_extra_args(false);
-    app.add_option("--ocio", options.ocio, "OpenColorIO config; wins over the scene's, which wins over $OCIO")
-        ->type_name("FILE");
-    app.add_option("--threads", options.threads, "threads at once; 0: one per core")
-        ->type_name("N")
-        ->check(CLI::Range(0, 1024))
-        ->capture_default_str();
-    add_strict_option(app, options.strict);
-    app.add_flag("--force", options.force, "write files that are up to date as well");
-    app.add_flag("--dry-run", options.dry_run, "say which files would be written, and stop");
+std::vector<Option> shared_options(BakeOptions& options) {
+    return {scenes_option(options.scenes),
+            {.names = "-o,--output",
+             .target = &options.folder,
+             .help = "folder for the files; created if it is missing",
+             .value_name = "DIR",
+             .shows_default = true},
+            only_option(options.only),
+            ocio_option(options.ocio),
+            threads_option(options.threads),
+            strict_option(options.strict),
+            {.names = "--force", .target = &options.force, .help = "also write files that are up to date"},
+            {.names = "--dry-run",
+             .target = &options.dry_run,
+             .help = "print which files would be written, and write nothing"}};
 }
 
 }  // namespace
 
-Command add_bake_command(CLI::App& app) {
+Command bake_command() {
     const auto options = std::make_shared<BakeOptions>();
-    declare_common(app, *options);
-    add_accuracy_option(app, options->accuracy);
-    add_effects_option(app, options->effects);
-    app.add_flag("--best-effort", options->best_effort,
-                 "write LUTs whose bound is out of reach too, as good as they get");
-    app.add_option("--shard", options->shard, "only every N-th LUT and swatch, from the I-th on; for farms")
-        ->type_name("I/N");
-    app.footer(
-        "\nExit code 4 if a bound that you gave is out of reach; then nothing is written. The default, 0.1, is a "
-        "goal.\n\nExample:\n"
-        "  nacre bake configs/scenes/morpho.toml configs/scenes/beetle.toml -o out --accuracy 0.5\n");
-    return [options](Console& console) { return run_bake(*options, true, console); };
+    Command command{"bake", "bake scenes into LUTs, manifests and swatches", shared_options(*options), {}};
+    command.options.push_back(accuracy_option(options->accuracy));
+    command.options.push_back(effects_option(options->effects));
+    command.options.push_back({.names = "--best-effort",
+                               .target = &options->best_effort,
+                               .help = "also write LUTs whose error bound is out of reach, as accurate as possible"});
+    command.options.push_back({.names = "--shard",
+                               .target = &options->shard,
+                               .help = "bake only every N-th LUT and swatch, starting with the I-th; for render farms",
+                               .value_name = "I/N"});
+    command.footer =
+        "\nThe exit code is 4 if an error bound that you gave is out of reach; then nothing is written. The default\n"
+        "bound, 0.1, is a goal: a LUT that misses it is written with a warning.\n\nExample:\n"
+        "  nacre bake configs/scenes/morpho.toml configs/scenes/beetle.toml -o out --accuracy 0.5\n";
+    command.run = [options](Console& console) { return run_bake(*options, true, console); };
+    return command;
 }
 
-Command add_swatch_command(CLI::App& app) {
+Command swatch_command() {
     const auto options = std::make_shared<BakeOptions>();
-    declare_common(app, *options);
-    app.footer("\nExample:\n  nacre swatch configs/scenes/morpho.toml -o out --only morpho_plane\n");
-    return [options](Console& console) { return run_bake(*options, false, console); };
+    Command command{"swatch", "draw only the pictures of scenes", shared_options(*options), {}};
+    command.footer = "\nExample:\n  nacre swatch configs/scenes/morpho.toml -o out --only morpho_plane\n";
+    command.run = [options](Console& console) { return run_bake(*options, false, console); };
+    return command;
 }
 
 }  // namespace nacre

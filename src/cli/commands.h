@@ -1,10 +1,6 @@
 #pragma once
 
-#include <CLI/CLI.hpp>
-#include <functional>
-#include <string>
-
-#include "cli/console.h"
+#include "cli/options.h"
 
 namespace nacre {
 
@@ -17,17 +13,14 @@ enum ExitCode : int {
     exit_not_verified = 4,  ///< accuracy or verification not met
 };
 
-/// A command of the program: declares its options on a CLI11 subcommand and returns what runs it.
-using Command = std::function<int(Console&)>;
-
-Command add_bake_command(CLI::App& app);
-Command add_swatch_command(CLI::App& app);
-Command add_plan_command(CLI::App& app);
-Command add_cost_command(CLI::App& app);
-Command add_spectrum_command(CLI::App& app);
-Command add_verify_command(CLI::App& app);
-Command add_pick_command(CLI::App& app);
-Command add_snippet_command(CLI::App& app);
-Command add_figures_command(CLI::App& app);
+Command bake_command();
+Command swatch_command();
+Command plan_command();
+Command cost_command();
+Command spectrum_command();
+Command verify_command();
+Command pick_command();
+Command snippet_command();
+Command figures_command();
 
 }  // namespace nacre

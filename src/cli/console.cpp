@@ -2,10 +2,10 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
-#include <nlohmann/json.hpp>
 
 #include "nacre/base/error.h"
 
@@ -29,8 +29,8 @@ void Console::result(std::string_view line) {
     write_out(line);
 }
 
-void Console::result_json(const nlohmann::ordered_json& json) {
-    result(json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
+void Console::result_json(const Json& json) {
+    result(json.text());
 }
 
 void Console::summary(std::string_view line) {
@@ -41,12 +41,21 @@ void Console::note(std::string_view line) {
     if (options_.verbose && !options_.quiet) say(line);
 }
 
-void Console::warning(std::string_view line) {
-    if (!options_.quiet) say("nacre: warning: " + std::string(line));
+void Console::warning(std::string_view message) {
+    if (!options_.quiet) say_lines("nacre: warning: ", message);
 }
 
-void Console::error(std::string_view line) {
-    say("nacre: " + std::string(line));
+void Console::error(std::string_view message) {
+    say_lines("nacre: ", message);
+}
+
+void Console::say_lines(std::string_view prefix, std::string_view message) {
+    std::size_t begin = 0;
+    while (begin <= message.size()) {
+        const std::size_t end = std::min(message.find('\n', begin), message.size());
+        say(std::string(prefix) + std::string(message.substr(begin, end - begin)));
+        begin = end + 1;
+    }
 }
 
 void Console::say(std::string_view line) {

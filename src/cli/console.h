@@ -2,9 +2,10 @@
 
 #include <cstddef>
 #include <mutex>
-#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <string_view>
+
+#include "pipeline/json.h"
 
 namespace nacre {
 
@@ -24,13 +25,15 @@ public:
 
     /// A line of the result; throws IoError if standard output cannot take it.
     void result(std::string_view line);
-    /// The same for a JSON document; bytes that are no UTF-8 (file names may hold them) become U+FFFD.
-    void result_json(const nlohmann::ordered_json& json);
+    /// The same for a JSON document.
+    void result_json(const Json& json);
     /// A line of the result that --quiet and --json leave out.
     void summary(std::string_view line);
-    void note(std::string_view line);     ///< with -v only
-    void warning(std::string_view line);  ///< not with --quiet
-    void error(std::string_view line);
+    void note(std::string_view line);  ///< with -v only
+    /// Not with --quiet. Of several lines, each has the prefix "nacre: warning: ".
+    void warning(std::string_view message);
+    /// Of several lines, each has the prefix "nacre: ".
+    void error(std::string_view message);
 
     /// Draws a bar on a terminal, nothing elsewhere.
     void progress(std::size_t done, std::size_t total);
@@ -40,6 +43,7 @@ public:
 private:
     void clear_progress();
     void say(std::string_view line);
+    void say_lines(std::string_view prefix, std::string_view message);
 
     ConsoleOptions options_;
     std::mutex mutex_;

@@ -2,9 +2,8 @@
 
 #include <algorithm>
 #include <array>
-#include <nlohmann/json.hpp>
 
-#include "cli/figures/paper_pictures.h"
+#include "cli/plot_style.h"
 #include "cli/report.h"
 #include "cli/text_table.h"
 #include "io/image/gnuplot.h"
@@ -13,7 +12,7 @@
 
 namespace nacre {
 
-// Compiled in from src/cli/figures.
+// Compiled in from src/cli.
 extern const std::string_view cost_gp;
 
 namespace {
@@ -95,26 +94,26 @@ std::string cost_csv(const std::vector<CostRow>& rows, const std::string& commen
     return text;
 }
 
-nlohmann::ordered_json cost_json(const std::vector<CostRow>& rows) {
-    nlohmann::ordered_json json = nlohmann::ordered_json::array();
+Json cost_json(const std::vector<CostRow>& rows) {
+    Json json = Json::array();
     for (const CostRow& row : rows) {
         const CostCase& cost = row.cost;
-        nlohmann::ordered_json entry{{"family", family_name(cost.family)},
-                                     {"label", cost.label},
-                                     {"axis", cost.axis},
-                                     {"format", cost.format},
-                                     {"width", cost.job.width},
-                                     {"height", cost.job.height},
-                                     {"bytes", cost.bytes},
-                                     {"de00", row.de00},
-                                     {"seconds", row.seconds}};
+        Json entry{{"family", family_name(cost.family)},
+                   {"label", cost.label},
+                   {"axis", cost.axis},
+                   {"format", cost.format},
+                   {"width", cost.job.width},
+                   {"height", cost.job.height},
+                   {"bytes", cost.bytes},
+                   {"de00", row.de00},
+                   {"seconds", row.seconds}};
         if (cost.family == CostFamily::choice) {
             entry["max_de00"] = cost.bound;
             entry["reached"] = cost.is_reached;
             entry["predicted_de00"] = cost.predicted;
             entry["all_seconds"] = row.all_seconds;
         }
-        json.push_back(std::move(entry));
+        json.push_back(entry);
     }
     return json;
 }
@@ -127,12 +126,12 @@ std::vector<std::pair<std::string, std::string>> cost_picture(const std::vector<
                                "'\ntitle = '" + title + "'\nbound = " + number_text(bound) + "\n" +
                                std::string(cost_gp);
     NamedFiles files{
-        {name + ".csv", cost_csv(rows, comment)}, {name + ".gp", script}, {figure_style_file, figure_style_script()}};
+        {name + ".csv", cost_csv(rows, comment)}, {name + ".gp", script}, {plot_style_file, plot_style_script()}};
     GnuplotResult plotted = run_gnuplot(files, name + ".gp", {name + ".png"});
     return {{name + ".png", plotted.files.at(name + ".png")},
             {name + ".csv", files.at(name + ".csv")},
             {name + ".gp", files.at(name + ".gp")},
-            {figure_style_file, files.at(figure_style_file)}};
+            {plot_style_file, files.at(plot_style_file)}};
 }
 
 }  // namespace nacre

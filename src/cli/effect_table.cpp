@@ -2,46 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <nlohmann/json.hpp>
 #include <utility>
 
 #include "cli/report.h"
-#include "cli/stop_signal.h"
 #include "cli/text_table.h"
-#include "cli/thread_clock.h"
 #include "nacre/accuracy/choose_sampling.h"
 #include "nacre/base/names.h"
-#include "nacre/cost/effect_cost.h"
-#include "nacre/lut/bake.h"
 
 namespace nacre {
 namespace {
-
-// Of a few texels all over the axes: what is prepared once counts as much as in a whole LUT, or more.
-constexpr int piece_width = 96;
-constexpr int piece_height = 4;
-
-double bake_seconds(Job job) {
-    job.width = std::min(job.width, piece_width);
-    job.height = std::min(job.height, piece_height);
-    constexpr int runs = 3;
-    double best = 0.0;
-    for (int run = 0; run < runs; ++run) {
-        throw_if_stopped();
-        const double begin = thread_seconds();
-        bake(job);
-        const double seconds = thread_seconds() - begin;
-        best = run == 0 ? seconds : std::min(best, seconds);
-    }
-    return best;
-}
-
-// A job with an effect that was left out, sampled as it would have been.
-Job with_effect(Job job, Effect effect) {
-    job.without.erase(effect);
-    job.sampling = choose_sampling(job, {1e-2, 0.1, 1e-2, 0.0}).sampling;
-    return job;
-}
 
 std::string reason(const EffectChoice& choice) {
     if (choice.is_given) return "the scene does without; that changes colours by " + short_number(choice.contribution);
@@ -60,26 +29,6 @@ bool is_listed(const std::vector<EffectShare>& effects, Effect effect) {
 }
 
 }  // namespace
-
-std::vector<EffectShare> effect_shares(const SettledLut& settled) {
-    const Job& job = settled.lut.job;
-    std::vector<EffectShare> effects;
-    if (settled.effects.empty()) return effects;
-    const double whole = bake_seconds(job);
-    for (const EffectChoice& choice : settled.effects) {
-        EffectShare& share = effects.emplace_back(EffectShare{choice, 0.0});
-        const double other = choice.is_simulated ? bake_seconds(without_effect(job, choice.effect))
-                                                 : bake_seconds(with_effect(job, choice.effect));
-        const double longer = choice.is_simulated ? whole : other;
-        const double shorter = choice.is_simulated ? other : whole;
-        if (longer > 0.0) share.time_share = std::clamp(1.0 - shorter / longer, 0.0, 1.0);
-    }
-    std::stable_sort(effects.begin(), effects.end(), [](const EffectShare& a, const EffectShare& b) {
-        if (a.choice.is_simulated != b.choice.is_simulated) return a.choice.is_simulated;
-        return a.time_share > b.time_share;
-    });
-    return effects;
-}
 
 std::vector<std::string> effect_lines(const std::string& lut, const std::vector<EffectShare>& effects) {
     std::vector<std::vector<std::string>> rows{{"effects of " + lut, "", "time", "why"}};
@@ -106,20 +55,19 @@ std::vector<std::string> effect_lines(const std::string& lut, const std::vector<
     return lines;
 }
 
-nlohmann::ordered_json effects_json(const std::vector<EffectShare>& effects) {
-    nlohmann::ordered_json json = nlohmann::ordered_json::array();
+Json effects_json(const std::vector<EffectShare>& effects) {
+    Json json = Json::array();
     for (const EffectShare& share : effects) {
         const EffectChoice& choice = share.choice;
-        nlohmann::ordered_json row{{"effect", row_of(choice.effect).name}, {"state", state(choice, "negligible")}};
-        row["de00"] = nullptr;
-        if (choice.is_measured) row["de00"] = choice.contribution;
+        Json row{{"effect", row_of(choice.effect).name}, {"state", state(choice, "negligible")}};
+        row["de00"] = choice.is_measured ? Json(choice.contribution) : Json();
         row["share"] = choice.share;
         row["time_share"] = share.time_share;
         row["why"] = reason(choice);
-        json.push_back(std::move(row));
+        json.push_back(row);
     }
     for (const EffectRow& row : effect_rows()) {
-        if (!is_listed(effects, row.effect)) json.push_back({{"effect", row.name}, {"state", "absent"}});
+        if (!is_listed(effects, row.effect)) json.push_back(Json{{"effect", row.name}, {"state", "absent"}});
     }
     return json;
 }

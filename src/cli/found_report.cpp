@@ -24,10 +24,10 @@ std::string answer_text(const MaterialSearch& search, std::size_t answer) {
     return text + ")";
 }
 
-nlohmann::ordered_json found_json(const MaterialSearch& search) {
-    nlohmann::ordered_json json = nlohmann::ordered_json::array();
+Json found_json(const MaterialSearch& search) {
+    Json json = Json::array();
     for (const FoundMechanism& found : search.found) {
-        nlohmann::ordered_json one;
+        Json one;
         for (std::size_t i = 0; i < found.values.size(); ++i)
             one["values"][search.search.free[i].name] = found.values[i];
         one["de00"] = found.de00;
@@ -35,7 +35,7 @@ nlohmann::ordered_json found_json(const MaterialSearch& search) {
         for (const NearMaterial& near : found.near)
             one["nearest_materials"][near.key] = {{"material", near.material}, {"distance", near.distance}};
         if (found.near_error) one["error_of_nearest_materials"] = *found.near_error;
-        json.push_back(std::move(one));
+        json.push_back(one);
     }
     return json;
 }

@@ -1,10 +1,10 @@
 #pragma once
 
 #include <cstddef>
-#include <nlohmann/json.hpp>
 #include <string>
 
 #include "nacre/pick/mechanism_search.h"
+#include "pipeline/json.h"
 
 namespace nacre {
 
@@ -13,6 +13,6 @@ namespace nacre {
 std::string answer_text(const MaterialSearch& search, std::size_t answer);
 
 /// All answers.
-nlohmann::ordered_json found_json(const MaterialSearch& search);
+Json found_json(const MaterialSearch& search);
 
 }  // namespace nacre

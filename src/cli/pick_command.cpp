@@ -1,32 +1,30 @@
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <cstddef>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "cli/commands.h"
+#include "cli/common_options.h"
 #include "cli/found_report.h"
-#include "cli/pick_scene.h"
+#include "cli/pick_words.h"
 #include "cli/picked_swatch.h"
-#include "cli/settled_luts.h"
-#include "cli/stop_signal.h"
+#include "cli/scenes.h"
 #include "cli/text_table.h"
-#include "io/ceres_solver.h"
-#include "io/scene/scene_file.h"
 #include "io/scene/spectra_csv.h"
 #include "nacre/base/error.h"
-#include "nacre/base/names.h"
 #include "nacre/base/text.h"
-#include "nacre/colour/illuminant.h"
 #include "nacre/material/mechanism.h"
 #include "nacre/pick/fit_palette.h"
 #include "nacre/pick/missed_picks.h"
 #include "nacre/scene/readers/mechanism_reader.h"
-#include "nacre/shade/band.h"
-#include "pipeline/baked_lut.h"
-#include "pipeline/picked_colours.h"
+#include "pipeline/json.h"
+#include "pipeline/loaded_scene.h"
+#include "pipeline/manifest.h"
+#include "pipeline/pick_answer.h"
+#include "pipeline/pick_scene.h"
 
 namespace nacre {
 namespace {
@@ -34,12 +32,15 @@ namespace {
 // What messages call the scene that the command line stands for.
 constexpr const char* scene_name = "picks";
 
-Plan plan_of(const std::string& scene, const PickOptions& options) {
-    PlanRequest request;
+// More than any search returns, and than a palette of measured spectra can use.
+constexpr double most_counted = 100;
+
+Plan plan_of(const std::string& scene, const PickOptions& options, Console& console) {
+    SceneRequest request = scene_request(options.ocio, console);
     request.all_materials = true;
+    request.on_warning = {};
     try {
-        return plan_scene(parse_scene(scene, scene_name),
-                          scene_files_with_colours(scene_name, options.ocio, throw_if_stopped), request);
+        return plan_text(scene, scene_name, request);
     } catch (const IoError&) {
         throw;
     } catch (const Error& error) {
@@ -80,7 +81,7 @@ void judge(const PickOptions& options, const std::vector<PickedColour>& picked, 
     }
 }
 
-void print(const PickOptions& options, nlohmann::ordered_json json, std::string scene, Console& console) {
+void print(const PickOptions& options, Json json, std::string scene, Console& console) {
     if (!options.swatch.empty()) write_picked_swatch(options, scene, console);
     json["scene"] = scene;
     scene.pop_back();
@@ -91,8 +92,8 @@ void print(const PickOptions& options, nlohmann::ordered_json json, std::string 
     }
 }
 
-nlohmann::ordered_json picked_list(const std::vector<PickedColour>& picked) {
-    nlohmann::ordered_json list = nlohmann::ordered_json::array();
+Json picked_list(const std::vector<PickedColour>& picked) {
+    Json list = Json::array();
     for (const PickedColour& one : picked) list.push_back(picked_json(one));
     return list;
 }
@@ -102,7 +103,7 @@ nlohmann::ordered_json picked_list(const std::vector<PickedColour>& picked) {
 void pick_palette(const PickOptions& options, Console& console) {
     std::vector<PickLine> lines = pick_lines(options);
     const std::string material = asked_lines(options);
-    const Plan plan = plan_of(pick_scene(options, material, picks_toml(lines), "", true), options);
+    const Plan plan = plan_of(scene_text({options.name, material, picks_toml(lines), "", true}), options, console);
     const std::vector<PickedColour>& picked = plan.materials.front().picked;
     for (const PickedColour& one : picked) lines[one.pick].comment = comment_on(one);
     // Of a scene that nobody has seen, no lines are named.
@@ -110,20 +111,11 @@ void pick_palette(const PickOptions& options, Console& console) {
         console.warning(options.picks.front() +
                         ": one pick says nothing about other angles: the same colour at all of them");
     judge(options, picked, console);
-    print(options, {{"picked", picked_list(picked)}}, pick_scene(options, material, picks_toml(lines), "", true),
-          console);
+    print(options, Json{{"picked", picked_list(picked)}},
+          scene_text({options.name, material, picks_toml(lines), "", true}), console);
 }
 
 // ---- any other mechanism
-
-// The answer with its numbers rounded, so that a scene can be read.
-Mechanism rounded(const MechanismSearch& search, const FoundMechanism& found) {
-    constexpr int digits = 6;
-    Mechanism mechanism = search.start;
-    for (std::size_t i = 0; i < search.free.size(); ++i)
-        search.free[i].set(mechanism, std::stod(significant_text(found.values[i], digits)));
-    return mechanism;
-}
 
 std::string answers_comment(const MaterialSearch& search, std::size_t chosen) {
     std::string text = "# " + answer_text(search, chosen) + "\n";
@@ -149,36 +141,17 @@ std::string comparison(const std::string& file, const std::string& what, const s
     return text;
 }
 
-nlohmann::ordered_json angles_json(const std::vector<AngleFit>& angles) {
-    nlohmann::ordered_json json = nlohmann::ordered_json::array();
+Json angles_json(const std::vector<AngleFit>& angles) {
+    Json json = Json::array();
     for (const AngleFit& angle : angles) {
-        nlohmann::ordered_json one{{"angle_deg", angle.angle_deg}, {"measured_peak_nm", angle.measured_peak_nm}};
-        one["peak_nm"] = nullptr;
-        one["peak_error_nm"] = nullptr;
-        if (std::isfinite(angle.peak_nm)) {
-            one["peak_nm"] = angle.peak_nm;
-            one["peak_error_nm"] = angle.peak_nm - angle.measured_peak_nm;
-        }
+        const bool has_peak = std::isfinite(angle.peak_nm);
+        Json one{{"angle_deg", angle.angle_deg}, {"measured_peak_nm", angle.measured_peak_nm}};
+        one["peak_nm"] = has_peak ? Json(angle.peak_nm) : Json();
+        one["peak_error_nm"] = has_peak ? Json(angle.peak_nm - angle.measured_peak_nm) : Json();
         one["de00"] = angle.de00;
-        json.push_back(std::move(one));
+        json.push_back(one);
     }
     return json;
-}
-
-// A band near the measured peak, if the mechanism has one there.
-std::vector<AngleFit> compared(const MeasuredSpectra& spectra, const SceneMaterial& material) {
-    std::vector<AngleFit> angles;
-    for (const PickedColour& one : material.picked) {
-        const auto found = std::find(spectra.angle_deg.begin(), spectra.angle_deg.end(), one.angle_deg);
-        AngleFit angle;
-        angle.angle_deg = one.angle_deg;
-        angle.measured_peak_nm = measured_peak_nm(spectra, static_cast<std::size_t>(found - spectra.angle_deg.begin()));
-        const auto band = find_band(material.mechanism, Incidence::from_degrees(one.angle_deg), angle.measured_peak_nm);
-        angle.peak_nm = band ? band->peak_nm : std::numeric_limits<double>::quiet_NaN();
-        angle.de00 = one.de00;
-        angles.push_back(angle);
-    }
-    return angles;
 }
 
 void pick_mechanism(const PickOptions& options, Console& console) {
@@ -187,7 +160,7 @@ void pick_mechanism(const PickOptions& options, Console& console) {
     const auto picks = [&] {
         return is_measured ? "{ measured = " + toml_string(options.measured) + " }" : picks_toml(lines);
     };
-    const Plan asked = plan_of(pick_scene(options, asked_lines(options), picks(), "", true), options);
+    const Plan asked = plan_of(scene_text({options.name, asked_lines(options), picks(), "", true}), options, console);
     if (asked.searches.empty())
         throw Error("--mechanism " + options.mechanism + ": picks lead to a palette, film, stack, grating or crystal");
     const MaterialSearch& search = asked.searches.front();
@@ -196,24 +169,24 @@ void pick_mechanism(const PickOptions& options, Console& console) {
         throw Error("--choose " + std::to_string(options.choose) + ": there are " +
                     std::to_string(search.found.size()) + " answers");
     }
-    const std::string material = mechanism_toml(rounded(search.search, search.found[chosen]));
+    const std::string material = mechanism_toml(rounded_answer(search, chosen));
     // What is printed is what is judged.
-    const Plan answer = plan_of(pick_scene(options, material, picks(), "", true), options);
+    const Plan answer = plan_of(scene_text({options.name, material, picks(), "", true}), options, console);
     std::vector<PickedColour> picked = answer.materials.front().picked;
     for (PickedColour& one : picked) one.is_searched = !search.search.free.empty();
     if (!is_measured) {
         for (const PickedColour& one : picked) lines[one.pick].comment = comment_on(one);
     }
-    nlohmann::ordered_json json{{"picked", picked_list(picked)}, {"found", found_json(search)}};
+    Json json{{"picked", picked_list(picked)}, {"found", found_json(search)}};
     std::string comments = answers_comment(search, chosen);
     if (is_measured) {
-        const auto angles = compared(read_spectra_csv(options.measured), answer.materials.front());
+        const auto angles = compare_with_measured(read_spectra_csv(options.measured), answer.materials.front());
         comments = comparison(options.measured, options.mechanism, angles) + comments;
         json["angles"] = angles_json(angles);
     }
     // Of measurements the comparison says it all.
     if (!is_measured || options.strict) judge(options, picked, console);
-    print(options, std::move(json), pick_scene(options, material, picks(), comments, true), console);
+    print(options, std::move(json), scene_text({options.name, material, picks(), comments, true}), console);
 }
 
 // ---- a palette of measured spectra
@@ -227,22 +200,10 @@ void pick_measured_palette(const PickOptions& options, Console& console) {
         throw Error("--picks " + std::to_string(count) + ": " + options.measured + " has " +
                     std::to_string(spectra.angle_deg.size()) + " angles");
     }
-    LightSettings settings;
-    settings.power = *illuminant_by_name(settings.illuminant);
-    const Light light = make_light(settings);
-    const PaletteFit fit = fit_palette(spectra, count, light, least_squares_solver());
-    Palette palette = fit.palette;
-    const auto round = [](double& value, int decimals) { value = std::stod(fixed_text(value, decimals)); };
-    for (Pick& pick : palette.picks) {
-        round(pick.lobe.peak_nm, 3);
-        round(pick.lobe.width_nm, 3);
-        round(pick.lobe.height, 6);
-    }
-    round(palette.shape, 6);
-    print(options, {{"error", fit.error}, {"angles", angles_json(fit.angles)}},
-          pick_scene(options, mechanism_toml(Mechanism(palette)), "",
-                     comparison(options.measured, "palette", fit.angles), false),
-          console);
+    const PaletteFit fit = fit_readable_palette(spectra, count);
+    const std::string comments = comparison(options.measured, "palette", fit.angles);
+    print(options, Json{{"error", fit.error}, {"angles", angles_json(fit.angles)}},
+          scene_text({options.name, mechanism_toml(Mechanism(fit.palette)), "", comments, false}), console);
 }
 
 int run_pick(const PickOptions& options, Console& console) {
@@ -266,54 +227,72 @@ int run_pick(const PickOptions& options, Console& console) {
     return exit_done;
 }
 
+std::vector<Option> options_of(PickOptions& options) {
+    return {
+        {.names = "COLOUR@ANGLE",
+         .target = &options.picks,
+         .help = "colours (#rrggbb, #rgb or r,g,b), each with the angle in degrees at which it is seen"},
+        {.names = "--measured",
+         .target = &options.measured,
+         .help = "CSV file of spectra at several angles (wavelength_nm, then a column per angle), instead of colours",
+         .value_name = "FILE"},
+        {.names = "--picks",
+         .target = &options.count,
+         .help = "how many picks of a palette stand for measured spectra; default: 2",
+         .value_name = "N",
+         .range = Allowed{1, most_counted}},
+        {.names = "--mechanism",
+         .target = &options.mechanism,
+         .help = "palette (default), film, stack, grating or crystal",
+         .value_name = "NAME"},
+        {.names = "--with",
+         .target = &options.with,
+         .help = "a line of the material in TOML: index = 1.33 fixes it, index = { from = 1.3, to = 1.5 } bounds it; "
+                 "may be repeated",
+         .value_name = "KEY=VALUE"},
+        {.names = "--choose",
+         .target = &options.choose,
+         .help = "which of the answers, the best first; default: 1",
+         .value_name = "N",
+         .range = Allowed{1, most_counted}},
+        {.names = "--space",
+         .target = &options.space,
+         .help = "colour space of the colours, from the OpenColorIO config; default: its role color_picking",
+         .value_name = "NAME"},
+        {.names = "--name",
+         .target = &options.name,
+         .help = "name of the material",
+         .value_name = "NAME",
+         .shows_default = true},
+        {.names = "--swatch",
+         .target = &options.swatch,
+         .help = "also draw a picture: picked beside reached colours, and the strip between them",
+         .value_name = "FILE.png"},
+        ocio_option(options.ocio),
+        strict_option(options.strict)};
+}
+
 }  // namespace
 
-Command add_pick_command(CLI::App& app) {
+Command pick_command() {
     const auto options = std::make_shared<PickOptions>();
-    app.add_option("COLOUR@ANGLE", options->picks,
-                   "#rrggbb, #rgb or r,g,b, and the angle in degrees at which it is seen; one or more")
-        ->type_name("");
-    app.add_option("--measured", options->measured,
-                   "a CSV of spectra at several angles (wavelength_nm, then a column per angle) instead of colours")
-        ->type_name("FILE");
-    app.add_option("--picks", options->count, "so many picks of a palette stand for measured spectra; default: 2")
-        ->type_name("N")
-        ->check(CLI::Range(1, 100));
-    app.add_option("--mechanism", options->mechanism, "palette (default), film, stack, grating or crystal")
-        ->type_name("NAME");
-    app.add_option("--with", options->with,
-                   "a line of the material in TOML: index = 1.33 fixes it, index = { from = 1.3, to = 1.5 } bounds it; "
-                   "may be repeated")
-        ->type_name("KEY=VALUE")
-        ->allow_extra_args(false);
-    app.add_option("--choose", options->choose, "which of the answers, best first; default: 1")
-        ->type_name("N")
-        ->check(CLI::Range(1, 100));
-    app.add_option("--space", options->space,
-                   "colour space of the OpenColorIO config that the colours are in; default: its role color_picking")
-        ->type_name("NAME");
-    app.add_option("--name", options->name, "name of the material")->type_name("NAME")->capture_default_str();
-    app.add_option("--swatch", options->swatch, "a picture too: picked beside reached, and the strip between them")
-        ->type_name("FILE.png");
-    app.add_option("--ocio", options->ocio, "OpenColorIO config; wins over $OCIO")->type_name("FILE");
-    add_strict_option(app, options->strict);
-    app.footer(
-        "\nPrints a scene: what was picked, and what shows it. A palette has a band of reflectance per pick. Of any "
-        "other\n"
-        "mechanism, what --with does not fix is looked for:\n"
+    Command command{"pick", "turn colours at angles into a scene", options_of(*options), {}};
+    command.footer =
+        "\nPrints a scene with the picks and the material that shows them. A palette has one band of reflectance per\n"
+        "pick. Of any other mechanism, nacre searches the values that --with does not fix:\n"
         "  film     index 1.2-2.6, thickness_nm 0-1500, substrate 1-4\n"
         "  stack    two layers in turn: film 1.2-2.6, film_nm 20-400, gap 1-2.6, gap_nm 20-400, films 1-40, substrate "
         "1-4\n"
         "  grating  period_nm 400-5000, grooves 1-200, depth_nm 10-400, land 0.05-0.5; light along the normal\n"
         "  crystal  sphere 1-2.6, medium 1-2.6, diameter_nm 120-600, planes 1-100\n"
-        "The best answer is printed, up to four others stand in its comments. What cannot be had is warned of, with "
-        "its\n"
-        "distance in CIEDE2000.\n\n"
+        "The scene holds the best answer; up to four others are listed in its comments. A pick that cannot be reached\n"
+        "gives a warning with its distance in CIEDE2000.\n\n"
         "Examples:\n"
         "  nacre pick \"#22cc66@0\" \"#1fb5c9@50\" > mine.toml && nacre bake mine.toml -o out\n"
         "  nacre pick \"#3a6fd0@0\" \"#7030b0@40\" --mechanism film --with 'substrate = \"si\"'\n"
-        "  nacre pick --measured configs/scenes/gold_beetle.csv --picks 3\n");
-    return [options](Console& console) { return run_pick(*options, console); };
+        "  nacre pick --measured configs/scenes/gold_beetle.csv --picks 3\n";
+    command.run = [options](Console& console) { return run_pick(*options, console); };
+    return command;
 }
 
 }  // namespace nacre

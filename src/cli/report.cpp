@@ -3,7 +3,6 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
-#include <nlohmann/json.hpp>
 
 #include "nacre/base/text.h"
 #include "nacre/lut/formats.h"
@@ -30,15 +29,15 @@ std::string duration_text(double seconds) {
     return seconds < 1.0 ? short_number(seconds * 1e3) + " ms" : short_number(seconds) + " s";
 }
 
-nlohmann::ordered_json work_json(const Work& work) {
-    nlohmann::ordered_json effects = nlohmann::ordered_json::object();
+Json work_json(const Work& work) {
+    Json effects = Json::object();
     for (const EffectRow& row : effect_rows()) {
         const EffectWork& effect = work.effects[static_cast<std::size_t>(row.effect)];
         if (effect == EffectWork{}) continue;
-        effects[std::string(row.name)] = {{"spectra", effect.spectra},
-                                          {"layers", effect.layers},
-                                          {"points", effect.points},
-                                          {"polarisations", effect.polarisations}};
+        effects[row.name] = {{"spectra", effect.spectra},
+                             {"layers", effect.layers},
+                             {"points", effect.points},
+                             {"polarisations", effect.polarisations}};
     }
     return {{"exact_integrals", work.exact_integrals},
             {"fast_integrals", work.fast_integrals},

@@ -1,10 +1,10 @@
 #pragma once
 
-#include <nlohmann/json_fwd.hpp>
 #include <string>
 
 #include "nacre/accuracy/settle.h"
-#include "nacre/scene/plan.h"
+#include "nacre/shade/work.h"
+#include "pipeline/json.h"
 
 namespace nacre {
 
@@ -15,7 +15,7 @@ std::string short_number(double value);
 std::string duration_text(double seconds);
 
 /// How many of each kind of step a computation took.
-nlohmann::ordered_json work_json(const Work& work);
+Json work_json(const Work& work);
 
 /// What a user who asked for more than there is should know: the best that was reached, and what stands in the way.
 std::string out_of_reach(const SettledLut& lut);

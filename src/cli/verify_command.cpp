@@ -1,11 +1,16 @@
-#include <nlohmann/json.hpp>
+#include <memory>
+#include <string>
+#include <vector>
 
 #include "cli/commands.h"
 #include "cli/report.h"
 #include "cli/stop_signal.h"
+#include "io/image/lut_file.h"
+#include "io/ocio/ocio_spaces.h"
 #include "nacre/base/error.h"
 #include "nacre/base/names.h"
 #include "nacre/base/text.h"
+#include "pipeline/json.h"
 #include "pipeline/verify_lut.h"
 
 namespace nacre {
@@ -27,27 +32,31 @@ std::string verdict_text(const StoredLut& stored, const Verification& found) {
     return text;
 }
 
+Json verdict_json(const std::string& file, const Verification& found) {
+    return {{"file", file},
+            {"verified", found.passed()},
+            {"missing", found.missing},
+            {"contradicting", found.wrong},
+            {"problem", found.problem},
+            {"max_de00", found.error ? Json(*found.error) : Json()},
+            {"differing_components", found.differing},
+            {"largest_difference", found.largest_difference}};
+}
+
 int run_verify(const std::vector<std::string>& files, Console& console) {
-    nlohmann::ordered_json json = nlohmann::ordered_json::array();
+    Json json = Json::array();
     int code = exit_done;
     for (const std::string& file : files) {
         throw_if_stopped();
         try {
             const StoredLut stored = read_lut(file);
-            const Verification found = verify_lut(stored, throw_if_stopped);
+            const Verification found = verify_lut(stored, ocio_space_of_text, throw_if_stopped);
             if (!found.passed() && code == exit_done) code = exit_not_verified;
             console.summary(file + ": " + verdict_text(stored, found));
-            json.push_back({{"file", file},
-                            {"verified", found.passed()},
-                            {"missing", found.missing},
-                            {"contradicting", found.wrong},
-                            {"problem", found.problem},
-                            {"max_de00", found.error ? nlohmann::ordered_json(*found.error) : nullptr},
-                            {"differing_components", found.differing},
-                            {"largest_difference", found.largest_difference}});
+            json.push_back(verdict_json(file, found));
         } catch (const IoError& error) {  // one file that cannot be read says nothing about the others
             console.error(error.what());
-            json.push_back({{"file", file}, {"verified", false}, {"problem", error.what()}});
+            json.push_back(Json{{"file", file}, {"verified", false}, {"problem", error.what()}});
             code = exit_io;
         }
     }
@@ -57,13 +66,16 @@ int run_verify(const std::vector<std::string>& files, Console& console) {
 
 }  // namespace
 
-Command add_verify_command(CLI::App& app) {
+Command verify_command() {
     const auto files = std::make_shared<std::vector<std::string>>();
-    app.add_option("FILE", *files, "LUTs (EXR) that nacre baked")->required()->type_name("");
-    app.footer(
-        "\nExit code 4 if one of them does not verify, 3 if one cannot be read.\n\nExample:\n  nacre verify "
-        "luts/*.exr\n");
-    return [files](Console& console) { return run_verify(*files, console); };
+    Command command{"verify", "bake LUTs again from their headers and compare", {}, {}};
+    command.options = {
+        {.names = "FILE", .target = files.get(), .help = "LUTs (EXR) that nacre baked", .is_required = true}};
+    command.footer =
+        "\nThe exit code is 4 if a LUT does not verify, and 3 if a file cannot be read.\n\nExample:\n"
+        "  nacre verify luts/*.exr\n";
+    command.run = [files](Console& console) { return run_verify(*files, console); };
+    return command;
 }
 
 }  // namespace nacre

@@ -1,23 +1,21 @@
 #pragma once
 
-#include <nlohmann/json_fwd.hpp>
+#include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "io/image/lut_file.h"
-#include "io/ocio/colour_config.h"
-#include "nacre/accuracy/measure.h"
 #include "nacre/accuracy/settle.h"
 #include "nacre/lut/bake.h"
-#include "nacre/lut/colour_settings.h"
+#include "nacre/lut/colour_space.h"
+#include "nacre/lut/encoding.h"
 #include "nacre/lut/gamut.h"
+#include "nacre/optics/palette.h"
+#include "nacre/pick/picked_colour.h"
 #include "nacre/scene/plan.h"
+#include "nacre/shade/work.h"
 
 namespace nacre {
-
-/// The version of this program: "0.1.0".
-std::string_view nacre_version();
 
 /// A LUT's pixels in the target space, and what its file will say of itself.
 struct BakedLut {
@@ -38,20 +36,14 @@ struct ColourSource {
     std::string hash;
 };
 
-/// How LUTs are encoded in a space under a gamut rule. Refers to the transform, which has to outlive it.
+/// How LUTs are encoded in a space under a gamut rule. Refers to the space, which has to outlive it.
 /// @throws Error if the rule needs a linear space and this is none
-Encoding lut_encoding(const ColourTransform& transform, Gamut gamut);
+Encoding lut_encoding(const ColourSpace& space, Gamut gamut);
 
-/// XYZ of every texel, through the colour transform and the gamut's rule, measured, with its header.
+/// XYZ of every texel, through the colour space and the gamut's rule, measured, with its header.
 /// @param plan  of the scene that the LUT is from: its colour settings, and what picks became
 /// Throws Error if the space or the format cannot hold the colours.
-BakedLut bake_lut(const SettledLut& lut, const Plan& plan, const ColourSource& source, const ColourTransform& transform,
+BakedLut bake_lut(const SettledLut& lut, const Plan& plan, const ColourSource& source, const ColourSpace& space,
                   const AfterRow& after_row = {});
-
-/// A pick that was given as a colour, for manifests and --json.
-nlohmann::ordered_json picked_json(const PickedColour& picked);
-
-/// The manifest: JSON for tools, ending in a newline. No date, host or path.
-std::string manifest_json(const SettledLut& lut, const BakedLut& baked);
 
 }  // namespace nacre

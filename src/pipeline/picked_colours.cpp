@@ -3,7 +3,6 @@
 #include <filesystem>
 #include <map>
 #include <memory>
-#include <optional>
 #include <utility>
 
 #include "io/ceres_solver.h"
@@ -15,29 +14,27 @@
 namespace nacre {
 namespace {
 
-// One scene's config, and the ways into XYZ that were asked for.
+// One scene's config, and the spaces that picks were given in.
 class PickedColours {
 public:
-    PickedColours(std::string scene_path, std::string ocio)
-        : scene_path_(std::move(scene_path)), ocio_(std::move(ocio)) {}
+    PickedColours(std::string scene_path, std::string config, OpenColourSpaces open)
+        : scene_path_(std::move(scene_path)), config_(std::move(config)), open_(std::move(open)) {}
 
     Xyz xyz(const Rgb& colour, const std::string& space, const Where& where, const ColourSettings& settings) {
-        if (!config_) config_.emplace(ColourConfig::open(config_choice(settings, scene_path_, ocio_)));
+        if (!spaces_) spaces_ = open_(config_choice(settings, scene_path_, config_));
         const std::string name = space.empty() ? "color_picking" : space;
-        auto known = transforms_.find(name);
-        if (known == transforms_.end()) known = transforms_.emplace(name, transform_of(name, space, where)).first;
-        Image<Rgb> one(1, 1);
-        *one.begin() = colour;
-        const Xyz xyz = *known->second.back(one).begin();
-        return xyz;
+        auto known = known_.find(name);
+        if (known == known_.end()) known = known_.emplace(name, find(name, space, where)).first;
+        return known->second->to_xyz(Image<Rgb>(1, 1, colour)).at(0, 0);
     }
 
 private:
-    ColourTransform transform_of(const std::string& name, const std::string& space, const Where& where) const {
+    std::shared_ptr<const ColourSpace> find(const std::string& name, const std::string& space,
+                                            const Where& where) const {
         const std::string at = where.text() + ": colour";
         try {
-            ColourTransform transform = config_->to_colour_space(name, at);
-            if (transform.has_way_back()) return transform;
+            auto found = spaces_->space(name, at);
+            if (found->has_inverse()) return found;
         } catch (const Error& error) {
             if (!space.empty()) throw;
             throw Error(std::string(error.what()) + " (the config's role for picked colours); give space = \"...\"");
@@ -46,25 +43,27 @@ private:
     }
 
     std::string scene_path_;
-    std::string ocio_;
-    std::optional<ColourConfig> config_;
-    std::map<std::string, ColourTransform> transforms_;
+    std::string config_;
+    OpenColourSpaces open_;
+    std::shared_ptr<const ColourSpaces> spaces_;
+    std::map<std::string, std::shared_ptr<const ColourSpace>> known_;
 };
 
 }  // namespace
 
-ColourConfigChoice config_choice(const ColourSettings& colour, const std::string& scene_path, const std::string& ocio) {
-    if (!ocio.empty()) return {ocio, colour.interchange, "--ocio"};
+ColourConfigChoice config_choice(const ColourSettings& colour, const std::string& scene_path,
+                                 const std::string& config) {
+    if (!config.empty()) return {config, colour.interchange, "--ocio"};
     if (colour.config.empty()) return {"", colour.interchange, scene_path};
     // A file that a scene names lies beside the scene.
     const auto file = std::filesystem::path(colour.config_where.file).parent_path() / colour.config;
     return {file.string(), colour.interchange, colour.config_where.text() + " [colour]"};
 }
 
-SceneFiles scene_files_with_colours(const std::string& scene_path, const std::string& ocio,
-                                    const std::function<void()>& after_step) {
+SceneFiles scene_files_with_colours(const std::string& scene_path, const std::string& config,
+                                    const OpenColourSpaces& open_colours, const std::function<void()>& after_step) {
     SceneFiles files = scene_files();
-    const auto colours = std::make_shared<PickedColours>(scene_path, ocio);
+    const auto colours = std::make_shared<PickedColours>(scene_path, config, open_colours);
     files.read_colour = [colours](const Rgb& colour, const std::string& space, const Where& where,
                                   const ColourSettings& settings) {
         return colours->xyz(colour, space, where, settings);

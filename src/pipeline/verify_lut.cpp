@@ -7,6 +7,8 @@
 #include "io/disk/hash.h"
 #include "io/scene/scene_file.h"
 #include "io/scene/shipped_materials.h"
+#include "nacre/accuracy/measure.h"
+#include "nacre/accuracy/settle.h"
 #include "nacre/base/error.h"
 #include "nacre/base/names.h"
 #include "nacre/lut/planned_lut.h"
@@ -90,20 +92,20 @@ void compare_texels(const StoredLut& stored, const Image<Rgb>& derived, Verifica
 
 }  // namespace
 
-Verification verify_lut(const StoredLut& stored, const AfterRow& after_row) {
+Verification verify_lut(const StoredLut& stored, const ReadColourSpace& read_space, const AfterRow& after_row) {
     Verification result;
     for (const char* name : required_attributes) {
         if (stored.header.value(name).empty()) result.missing.emplace_back(name);
     }
     try {
         const Plan plan = plan_of_header(stored);
-        const auto transform = ColourTransform::from_ctf(stored.header.value("colourTransform"), plan.colour.space,
-                                                         "header", stored.header.interop_id);
-        const SettledLut settled = settle(plan.luts.front(), lut_encoding(transform, plan.colour.gamut), after_row);
-        const BakedLut again = bake_lut(settled, plan, {}, transform, after_row);
+        const auto space =
+            read_space(stored.header.value("colourTransform"), plan.colour.space, "header", stored.header.interop_id);
+        const Encoding encoding = lut_encoding(*space, plan.colour.gamut);
+        const SettledLut settled = settle(plan.luts.front(), encoding, after_row);
+        const BakedLut again = bake_lut(settled, plan, {}, *space, after_row);
         compare_headers(stored.header, again.header, result);
         compare_texels(stored, again.image, result);
-        const Encoding encoding = lut_encoding(transform, plan.colour.gamut);
         if (encoding.to_xyz) result.error = measure(settled.lut.job, stored.image, encoding, settled.worst).reached;
     } catch (const IoError&) {
         throw;  // the system's refusal says nothing about the LUT

@@ -1,12 +1,15 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "io/image/lut_file.h"
 #include "nacre/lut/bake.h"
+#include "nacre/lut/colour_space.h"
 
 namespace nacre {
 
@@ -23,6 +26,13 @@ struct Verification {
     bool passed() const { return missing.empty() && wrong.empty() && problem.empty() && differing == 0; }
 };
 
+/// The colour space whose ColourSpace::transform_text() is `text`.
+/// @param where       for messages
+/// @param interop_id  which of the ids that the numbers allow is meant
+/// @throws Error for text that is no such transform
+using ReadColourSpace = std::function<std::shared_ptr<const ColourSpace>(
+    const std::string& text, const std::string& name, const std::string& where, const std::string& interop_id)>;
+
 /// Derives a LUT again from nothing but its header, and compares every component and every attribute.
 ///
 /// Taken on trust is what a header alone cannot prove: that its colour transform is that of the config it names. The
@@ -30,6 +40,6 @@ struct Verification {
 /// headers are refused before anything large is computed.
 /// @throws IoError if the system refuses that file
 /// @param after_row  called during the re-bake; what it throws ends it
-Verification verify_lut(const StoredLut& stored, const AfterRow& after_row = {});
+Verification verify_lut(const StoredLut& stored, const ReadColourSpace& read_space, const AfterRow& after_row = {});
 
 }  // namespace nacre

@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "bench/lut_colours.h"
+#include "io/ocio/colour_config.h"
 #include "nacre/base/gauss_points.h"
 #include "nacre/cost/rivals.h"
 #include "nacre/lut/planned_lut.h"

@@ -1,6 +1,7 @@
 // A default LUT: computed, converted, encoded.
 #include <benchmark/benchmark.h>
 
+#include "io/ocio/colour_config.h"
 #include "nacre/colour/illuminant.h"
 #include "nacre/lut/bake.h"
 #include "nacre/lut/planned_lut.h"

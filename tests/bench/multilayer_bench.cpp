@@ -13,6 +13,7 @@
 #include <optional>
 #include <vector>
 
+#include "io/ocio/colour_config.h"
 #include "nacre/colour/illuminant.h"
 #include "nacre/cost/rivals.h"
 #include "nacre/lut/bake.h"

@@ -9,6 +9,7 @@
 #include <random>
 
 #include "consumers/shader_runner.h"
+#include "io/ocio/colour_config.h"
 #include "io/scene/scene_file.h"
 #include "nacre/accuracy/exact_colour.h"
 #include "nacre/accuracy/trial.h"
@@ -51,7 +52,7 @@ double largest_error(const Baked& baked, const std::vector<Rgb>& fetched,
     double largest = 0.0;
     for (std::size_t i = 0; i < inputs.size(); ++i) {
         const auto [x, y] = coordinates(inputs[i]);
-        const Rgb exact = baked.transform.apply(exact_xyz(baked.lut.job, x, y));
+        const Rgb exact = baked.transform.to_rgb(exact_xyz(baked.lut.job, x, y));
         largest = std::max({largest, std::abs(fetched[i].r - exact.r), std::abs(fetched[i].g - exact.g),
                             std::abs(fetched[i].b - exact.b)});
     }
@@ -104,13 +105,13 @@ TEST_P(BakedLut1D, AShaderFetchesTheCoresOwnValueAtTenThousandCosines) {
 double largest_difference(const Baked& baked, const std::vector<Rgb>& fetched,
                           const std::function<double(double)>& coordinate) {
     const auto inputs = random_inputs();
-    const double scale = display_scale(baked.transform.back(baked.stored));
+    const double scale = display_scale(baked.transform.to_xyz(baked.stored));
     Job job = baked.lut.job;
     job.integral = Integral::exact;
     Sampler model(job);
     double largest = 0.0;
     for (std::size_t i = 0; i < inputs.size(); ++i) {
-        const Xyz seen = baked.transform.back(Image<Rgb>(1, 1, fetched[i])).at(0, 0);
+        const Xyz seen = baked.transform.to_xyz(Image<Rgb>(1, 1, fetched[i])).at(0, 0);
         const Xyz exact = model.at(coordinate(static_cast<double>(inputs[i][0])));
         largest = std::max(largest, difference_at(seen, exact, scale));
     }

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "io/ocio/ocio_spaces.h"
 #include "io/scene/scene_file.h"
 #include "nacre/base/error.h"
 #include "pipeline/picked_colours.h"
@@ -43,7 +44,7 @@ std::string message_of(const std::string& scene) {
     folder.file("s.toml", scene);
     const CurrentFolder here(folder.path());
     try {
-        plan_scene(read_scene_file("s.toml"), scene_files_with_colours("s.toml", ""));
+        plan_scene(read_scene_file("s.toml"), scene_files_with_colours("s.toml", "", open_ocio_spaces));
     } catch (const Error& error) {
         return error.what();
     }

@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "io/ceres_solver.h"
+#include "io/ocio/ocio_spaces.h"
 #include "io/scene/scene_file.h"
 #include "io/scene/shipped_materials.h"
 #include "nacre/base/error.h"
@@ -42,8 +43,8 @@ bool sweeps() {
 Plan plan_of(const std::string& material) {
     PlanRequest request;
     request.all_materials = true;
-    return plan_scene(parse_scene("[material.m]\n" + material, "s.toml"), scene_files_with_colours("s.toml", ""),
-                      request);
+    return plan_scene(parse_scene("[material.m]\n" + material, "s.toml"),
+                      scene_files_with_colours("s.toml", "", open_ocio_spaces), request);
 }
 
 const MaterialSearch& search_of(const Plan& plan) {
@@ -488,7 +489,7 @@ TEST(NearMaterials, OfAMaterialsOwnColoursAreThatMaterial) {
 TEST(Search, EndsWhenItsCallbackThrows) {
     int steps = 0;
     struct Stop {};
-    const auto files = scene_files_with_colours("s.toml", "", [&] {
+    const auto files = scene_files_with_colours("s.toml", "", open_ocio_spaces, [&] {
         if (++steps == 3) throw Stop{};
     });
     PlanRequest request;

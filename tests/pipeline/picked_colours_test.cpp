@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "io/ocio/colour_config.h"
+#include "io/ocio/ocio_spaces.h"
 #include "io/scene/scene_file.h"
 #include "nacre/base/error.h"
 #include "nacre/colour/illuminant.h"
@@ -21,7 +22,7 @@ namespace {
 const std::string picks = "[material.m]\npicks = [ { angle_deg = 0, ";
 
 Plan plan_of(const std::string& text, const PlanRequest& request = {}) {
-    return plan_scene(parse_scene(text, "s.toml"), scene_files_with_colours("s.toml", ""), request);
+    return plan_scene(parse_scene(text, "s.toml"), scene_files_with_colours("s.toml", "", open_ocio_spaces), request);
 }
 
 const Palette& palette_of(const Plan& plan) {
@@ -44,10 +45,10 @@ TEST(PickedColours, ComeBackInEverySpaceOfOurConfig) {
         const Light light = make_light(settings);
         for (const std::string& space : config.colour_spaces()) {
             const ColourTransform transform = config.to_colour_space(space, "test");
-            if (!transform.has_way_back()) continue;
+            if (!transform.has_inverse()) continue;
             ++spaces;
             const auto colour = [&](double peak_nm, double width_nm, double height) {
-                return transform.apply(adapt(light.adaptation, lobe_to_xyz(light.weights, peak_nm, width_nm, height)));
+                return transform.to_rgb(adapt(light.adaptation, lobe_to_xyz(light.weights, peak_nm, width_nm, height)));
             };
             const Plan plan = plan_of("[light]\nilluminant = \"" + std::string(illuminant) + "\"\n" + picks +
                                       "colour = " + numbers(colour(540, 190, 0.6)) + ", space = \"" + space +

@@ -14,7 +14,6 @@
 namespace nacre {
 
 // Compiled in from src/cli/figures.
-extern const std::string_view figure_style_gp;
 extern const std::string_view figure5_gp;
 extern const std::string_view figure7_gp;
 extern const std::string_view figure8_gp;
@@ -24,14 +23,14 @@ extern const std::string_view figure14_gp;
 namespace {
 
 // Column display_rgb: 0xRRGGBB as one number, the colour that the swatches would show too.
-Series with_display_colour(Series series, const ColourTransform& to_display, bool is_srgb) {
+Series with_display_colour(Series series, const ColourSpace& to_display, bool is_srgb) {
     const auto x =
         static_cast<std::size_t>(std::find(series.columns.begin(), series.columns.end(), "X") - series.columns.begin());
     const auto byte = [](double value) { return std::round(255.0 * std::clamp(value, 0.0, 1.0)); };
     series.columns.emplace_back("display_rgb");
     for (auto& row : series.rows) {
         const Xyz colour{row[x], row[x + 1], row[x + 2]};
-        const Rgb shown = to_display.apply(is_srgb ? fit_to_srgb(colour) : colour);
+        const Rgb shown = to_display.to_rgb(is_srgb ? fit_to_srgb(colour) : colour);
         row.push_back(65536.0 * byte(shown.r) + 256.0 * byte(shown.g) + byte(shown.b));
     }
     return series;
@@ -44,8 +43,6 @@ PlannedSwatch planned(const PaperFigure& figure, SwatchKind kind, const Specimen
     swatch.kind = kind;
     swatch.title = title;
     swatch.jobs = swatch_jobs(kind, {specimen.name, specimen.palette, {}}, light);
-    if (kind == SwatchKind::palette) {
-    }
     return swatch;
 }
 
@@ -135,8 +132,8 @@ PaperFigure figure9(const Specimen& morpho, const Specimen& beetle) {
             {}};
 }
 
-PaperFigure figure14(const Specimen& morpho, const Specimen& beetle, const Light& light,
-                     const ColourTransform& to_display, bool is_srgb) {
+PaperFigure figure14(const Specimen& morpho, const Specimen& beetle, const Light& light, const ColourSpace& to_display,
+                     bool is_srgb) {
     return {"figure14",
             "Figure 14: the derived reflectance spectra",
             "Reflectance at the paper's angles, each curve in the colour that it has under D65 on this display. "
@@ -208,7 +205,7 @@ std::vector<std::string> PaperFigure::files() const {
     return names;
 }
 
-std::vector<PaperFigure> paper_figures(const ColourTransform& to_display, bool is_srgb) {
+std::vector<PaperFigure> paper_figures(const ColourSpace& to_display, bool is_srgb) {
     const Specimen morpho = paper_morpho();
     const Specimen beetle = paper_beetle();
     const auto light = default_light();
@@ -237,10 +234,6 @@ std::string csv_text(const Series& series) {
         text += "\n";
     }
     return text;
-}
-
-std::string figure_style_script() {
-    return std::string(figure_style_gp);
 }
 
 std::string figures_readme(const std::vector<PaperFigure>& figures) {

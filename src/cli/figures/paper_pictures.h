@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "io/ocio/colour_transform.h"
+#include "nacre/lut/colour_space.h"
 #include "nacre/paper/paper_figures.h"
 #include "nacre/scene/plan.h"
 #include "nacre/scene/planned_swatch.h"
@@ -28,14 +28,10 @@ struct PaperFigure {
 
 /// Figures 5, 7, 8, 9, 11, 12 and 14, the palettes beside exact stacks, and `white`, which has data only.
 /// @param to_display  colours the curves of Figure 14
-std::vector<PaperFigure> paper_figures(const ColourTransform& to_display, bool is_srgb);
+std::vector<PaperFigure> paper_figures(const ColourSpace& to_display, bool is_srgb);
 
 /// Comment, header, one row per line, 17 digits: every double comes back.
 std::string csv_text(const Series& series);
-
-/// What all scripts load first: terminal, letters, colours.
-std::string figure_style_script();
-inline constexpr const char* figure_style_file = "style.gp";
 
 /// The folder's README: every figure, what it shows, and where its numbers are.
 std::string figures_readme(const std::vector<PaperFigure>& figures);

@@ -5,15 +5,9 @@
 #include <vector>
 
 #include "io/ocio/colour_transform.h"
+#include "nacre/lut/colour_spaces.h"
 
 namespace nacre {
-
-/// Which OpenColorIO config to open, and how XYZ gets into it.
-struct ColourConfigChoice {
-    std::string path;         ///< a config file; empty means $OCIO, and where that is unset or empty too, ours
-    std::string interchange;  ///< name of a space of the config that is CIE XYZ D65; overrides the roles. May be empty
-    std::string where;        ///< the origin of the request, for messages: "scene.toml:3", "--ocio"
-};
 
 /// An OpenColorIO config, and its interchange space for CIE XYZ under D65. Immutable, cheap to copy.
 ///
@@ -32,7 +26,8 @@ struct ColourConfigChoice {
 /// and in role scene_linear.
 class ColourConfig {
 public:
-    /// Opens the config; silences OpenColorIO's own logging for the whole process, once.
+    /// Opens choice.path; an empty path means $OCIO, and where that is unset or empty too, the
+    /// built-in config. Silences OpenColorIO's own logging for the whole process, once.
     /// @throws Error if the file cannot be read or is not a config that this OpenColorIO understands
     static ColourConfig open(const ColourConfigChoice& choice);
 

@@ -10,23 +10,19 @@
 namespace nacre {
 ColourTransform::ColourTransform(std::shared_ptr<const Impl> impl) : impl_(std::move(impl)) {}
 
-Image<Rgb> ColourTransform::apply(const Image<Xyz>& image) const {
+Image<Rgb> ColourTransform::to_rgb(const Image<Xyz>& image) const {
     return convert(impl_->conversion, image, impl_->target);
 }
 
-Rgb ColourTransform::apply(Xyz colour) const {
-    return apply(Image<Xyz>(1, 1, colour)).at(0, 0);
-}
-
-bool ColourTransform::has_way_back() const {
+bool ColourTransform::has_inverse() const {
     return nacre::has_way_back(impl_->conversion);
 }
 
-Image<Xyz> ColourTransform::back(const Image<Rgb>& image) const {
+Image<Xyz> ColourTransform::to_xyz(const Image<Rgb>& image) const {
     return convert_back(impl_->conversion, image, impl_->target);
 }
 
-const std::string& ColourTransform::target() const {
+const std::string& ColourTransform::name() const {
     return impl_->target;
 }
 const std::string& ColourTransform::display() const {
@@ -41,7 +37,7 @@ const std::string& ColourTransform::interop_id() const {
 const std::optional<glm::dmat3>& ColourTransform::linear_matrix() const {
     return impl_->conversion.matrix;
 }
-const std::string& ColourTransform::to_ctf() const {
+const std::string& ColourTransform::transform_text() const {
     return impl_->conversion.ctf;
 }
 

@@ -7,51 +7,37 @@
 
 #include "nacre/base/image.h"
 #include "nacre/colour/colour_types.h"
+#include "nacre/lut/colour_space.h"
 
 namespace nacre {
 
-/// CIE XYZ (D65, Y = 1 for the perfect reflector) to the RGB of a colour space or of a display's view.
+/// A colour space or a display's view of an OpenColorIO config.
 ///
-/// Made by ColourConfig. Immutable, cheap to copy, safe to apply from many threads. When the whole conversion is one
-/// matrix it is applied in double, otherwise by OpenColorIO in float. The environment may set $OCIO_OPTIMIZATION_FLAGS,
-/// which OpenColorIO obeys; without it only lossless optimisations are made.
-class ColourTransform {
+/// Made by ColourConfig. Immutable, cheap to copy. When the whole conversion is one matrix it is applied in double,
+/// otherwise by OpenColorIO in float. The environment may set $OCIO_OPTIMIZATION_FLAGS, which OpenColorIO obeys;
+/// without it only lossless optimisations are made.
+class ColourTransform final : public ColourSpace {
 public:
-    /// Converts every pixel.
-    /// @throws Error naming the first pixel that is not finite, before or after the conversion
-    Image<Rgb> apply(const Image<Xyz>& image) const;
-    /// The same for one colour.
-    Rgb apply(Xyz colour) const;
+    using ColourSpace::to_rgb;
+    Image<Rgb> to_rgb(const Image<Xyz>& image) const override;
+    bool has_inverse() const override;
+    /// As exactly as OpenColorIO provides it.
+    Image<Xyz> to_xyz(const Image<Rgb>& image) const override;
 
-    /// Whether the conversion has an inverse. The tables of some configs have none.
-    bool has_way_back() const;
-    /// RGB of the target to XYZ, the inverse of apply() as exactly as OpenColorIO provides it.
-    /// @pre has_way_back()
-    /// @throws Error naming the first pixel that is not finite
-    Image<Xyz> back(const Image<Rgb>& image) const;
+    const std::string& name() const override;
+    const std::string& display() const override;
+    const std::string& view() const override;
 
-    /// Name of the colour space as the config spells it (aliases and roles resolved), or "DISPLAY / VIEW".
-    const std::string& target() const;
-    /// Empty for a colour space.
-    const std::string& display() const;
-    const std::string& view() const;
-
-    /// Color Interop Forum's id of the encoding, e.g. "lin_rec709_scene"; "" for an encoding that nacre does not know.
-    ///
     /// Found by the numbers, never by the name: a few saturated colours, white and grey agree with our own config
     /// within 1e-4, which is less than half rounds at 0.5 (2.4e-4). Of a view it is the id of the display's encoding.
-    const std::string& interop_id() const;
+    const std::string& interop_id() const override;
 
-    /// XYZ -> RGB when the conversion is nothing but a matrix (15 significant digits, what the CTF carries), else
-    /// nothing. glm: columns, so RGB = matrix * XYZ.
-    const std::optional<glm::dmat3>& linear_matrix() const;
+    const std::optional<glm::dmat3>& linear_matrix() const override;
 
-    /// The whole conversion as OpenColorIO's CTF (XML, no paths), to be carried in a file's header.
-    ///
-    /// A matrix is about 500 bytes; a view with tables may be megabytes.
-    const std::string& to_ctf() const;
+    /// CTF: XML, no paths. A matrix is about 500 bytes; a view with tables may be megabytes.
+    const std::string& transform_text() const override;
 
-    /// The inverse of to_ctf(): the same pixels, bit for bit.
+    /// The inverse of transform_text(): the same pixels, bit for bit.
     ///
     /// OpenColorIO 2.1 reads files only, so a private temporary file is written and removed at once.
     /// @param where  for messages

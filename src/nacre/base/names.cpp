@@ -82,8 +82,11 @@ std::string known_like(std::string_view wanted, std::span<const std::string> kno
 
 std::string in_quotes(std::string_view name) {
     constexpr std::size_t longest = 60;
-    if (name.size() <= longest) return '"' + std::string(name) + '"';
-    return '"' + std::string(name.substr(0, longest)) + "...\"";
+    std::string shown(name.substr(0, longest));
+    for (char& c : shown) {
+        if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = '?';  // a line break would look like a second message
+    }
+    return '"' + shown + (name.size() <= longest ? "\"" : "...\"");
 }
 
 std::string comma_separated(std::span<const std::string> names) {

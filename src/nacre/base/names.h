@@ -22,7 +22,7 @@ std::vector<std::string> nearest_names(std::string_view wanted, std::span<const 
 /// What follows "known: ": the nearest names, or the first few of all if no name is near.
 std::string known_like(std::string_view wanted, std::span<const std::string> known);
 
-/// "name" with its quotes, as every message shows the user's words; cut after 60 bytes.
+/// "name" with its quotes, as every message shows the user's words: cut after 60 bytes, control characters as "?".
 std::string in_quotes(std::string_view name);
 
 /// "a, b, c"

@@ -6,21 +6,16 @@
 namespace nacre {
 namespace {
 
-struct KnownSpace {
-    std::string_view interop_id;
-    RgbPrimaries primaries;
-};
-
 constexpr Chromaticity aces_chromaticity{0.32168, 0.33767};
 
 // ITU-R BT.709, SMPTE EG 432-1, ITU-R BT.2020, Adobe RGB (1998), SMPTE ST 2065-1, AMPAS S-2014-004.
-constexpr std::array<KnownSpace, 6> known_spaces{{
-    {"lin_rec709_scene", {{0.64, 0.33}, {0.30, 0.60}, {0.15, 0.06}, d65_chromaticity}},
-    {"lin_p3d65_scene", {{0.680, 0.320}, {0.265, 0.690}, {0.150, 0.060}, d65_chromaticity}},
-    {"lin_rec2020_scene", {{0.708, 0.292}, {0.170, 0.797}, {0.131, 0.046}, d65_chromaticity}},
-    {"lin_adobergb_scene", {{0.64, 0.33}, {0.21, 0.71}, {0.15, 0.06}, d65_chromaticity}},
-    {"lin_ap0_scene", {{0.7347, 0.2653}, {0.0, 1.0}, {0.0001, -0.0770}, aces_chromaticity}},
-    {"lin_ap1_scene", {{0.713, 0.293}, {0.165, 0.830}, {0.128, 0.044}, aces_chromaticity}},
+constexpr std::array<KnownRgbSpace, 6> known_spaces{{
+    {"lin_rec709", "lin_srgb", "lin_rec709_scene", {{0.64, 0.33}, {0.30, 0.60}, {0.15, 0.06}, d65_chromaticity}},
+    {"lin_p3d65", "", "lin_p3d65_scene", {{0.680, 0.320}, {0.265, 0.690}, {0.150, 0.060}, d65_chromaticity}},
+    {"lin_rec2020", "", "lin_rec2020_scene", {{0.708, 0.292}, {0.170, 0.797}, {0.131, 0.046}, d65_chromaticity}},
+    {"lin_adobergb", "", "lin_adobergb_scene", {{0.64, 0.33}, {0.21, 0.71}, {0.15, 0.06}, d65_chromaticity}},
+    {"lin_ap0", "ACES2065-1", "lin_ap0_scene", {{0.7347, 0.2653}, {0.0, 1.0}, {0.0001, -0.0770}, aces_chromaticity}},
+    {"lin_ap1", "ACEScg", "lin_ap1_scene", {{0.713, 0.293}, {0.165, 0.830}, {0.128, 0.044}, aces_chromaticity}},
 }};
 
 glm::dvec3 to_vector(Xyz colour) {
@@ -29,8 +24,12 @@ glm::dvec3 to_vector(Xyz colour) {
 
 }  // namespace
 
+std::span<const KnownRgbSpace> known_rgb_spaces() {
+    return known_spaces;
+}
+
 std::optional<RgbPrimaries> primaries_by_interop_id(std::string_view interop_id) {
-    for (const KnownSpace& space : known_spaces) {
+    for (const KnownRgbSpace& space : known_spaces) {
         if (space.interop_id == interop_id) return space.primaries;
     }
     return std::nullopt;

@@ -3,6 +3,7 @@
 #include <array>
 #include <glm/mat3x3.hpp>
 #include <optional>
+#include <span>
 #include <string_view>
 
 #include "nacre/colour/colour_types.h"
@@ -16,6 +17,15 @@ struct RgbPrimaries {
     Chromaticity blue;
     Chromaticity white;
 };
+
+/// A linear space of a standard.
+struct KnownRgbSpace {
+    std::string_view name;        ///< as scenes write it: "lin_rec709"
+    std::string_view alias;       ///< what else it is called: "ACEScg"; may be empty
+    std::string_view interop_id;  ///< the Color Interop Forum's id: "lin_rec709_scene"
+    RgbPrimaries primaries;       ///< as the standard prints them
+};
+std::span<const KnownRgbSpace> known_rgb_spaces();
 
 /// Primaries of a well-known linear space, as its standard prints them; nothing for an unknown id.
 /// @param interop_id  the Color Interop Forum's id, e.g. "lin_rec709_scene"

@@ -101,15 +101,15 @@ TEST(OurConfig, PrimariesOfTheStandardsBecomeUnitVectors) {
     for (const ExactSpace& space : exact_spaces) {
         const ColourTransform transform = builtin().to_colour_space(space.name, where);
         // 15 digits of coefficients up to 3.3.
-        expect_near(transform.apply(space.primaries[0]), {1, 0, 0}, 1e-14);
-        expect_near(transform.apply(space.primaries[1]), {0, 1, 0}, 1e-14);
-        expect_near(transform.apply(space.primaries[2]), {0, 0, 1}, 1e-14);
+        expect_near(transform.to_rgb(space.primaries[0]), {1, 0, 0}, 1e-14);
+        expect_near(transform.to_rgb(space.primaries[1]), {0, 1, 0}, 1e-14);
+        expect_near(transform.to_rgb(space.primaries[2]), {0, 0, 1}, 1e-14);
     }
 }
 
 TEST(OurConfig, D65WhiteIsOneInEveryLinearSpace) {
     for (const char* name : {"lin_rec709", "lin_p3d65", "lin_rec2020", "lin_adobergb", "lin_ap0", "lin_ap1"}) {
-        expect_near(builtin().to_colour_space(name, where).apply(white()), {1, 1, 1}, 1e-14);
+        expect_near(builtin().to_colour_space(name, where).to_rgb(white()), {1, 1, 1}, 1e-14);
     }
 }
 
@@ -129,7 +129,7 @@ TEST(OurConfig, AcesPrimariesAdaptedFromAcesWhiteBecomeUnitVectors) {
         for (std::size_t i = 0; i < 3; ++i) {
             const glm::dvec3 d65 =
                 glm::inverse(bradford) * (scale * (bradford * vector(xyz_from_chromaticity(primaries[i]))));
-            const Rgb rgb = transform.apply({d65.x, d65.y, d65.z});
+            const Rgb rgb = transform.to_rgb({d65.x, d65.y, d65.z});
             // Only the direction: how bright a primary is follows from white, which the test above holds.
             glm::dvec3 unit(0.0);
             unit[static_cast<int>(i)] = rgb.r + rgb.g + rgb.b;
@@ -149,21 +149,21 @@ TEST(OurConfig, DisplaysAndTexturesUseTheCurvesOfTheirStandards) {
     for (const ColourTransform& srgb :
          {config.to_colour_space("srgb_rec709", where), config.to_display("sRGB", "", where),
           config.to_display("Display P3", "Standard", where)}) {
-        expect_near(srgb.apply(grey), {srgb_grey, srgb_grey, srgb_grey}, tolerance);
+        expect_near(srgb.to_rgb(grey), {srgb_grey, srgb_grey, srgb_grey}, tolerance);
         // OpenColorIO makes the slope fit the power exactly: 12.92321 where the standard rounds to 12.92.
-        expect_near(srgb.apply(dark), {0.01292, 0.01292, 0.01292}, 5e-6);
-        expect_near(srgb.apply(white()), {1, 1, 1}, tolerance);
+        expect_near(srgb.to_rgb(dark), {0.01292, 0.01292, 0.01292}, 5e-6);
+        expect_near(srgb.to_rgb(white()), {1, 1, 1}, tolerance);
     }
-    expect_near(config.to_display("Rec.1886", "", where).apply(grey), {power_grey, power_grey, power_grey}, tolerance);
+    expect_near(config.to_display("Rec.1886", "", where).to_rgb(grey), {power_grey, power_grey, power_grey}, tolerance);
     // Wider primaries: Rec.709 red is not pure on Display P3.
-    EXPECT_GT(config.to_display("Display P3", "", where).apply(exact_spaces[0].primaries[0]).g, 0.1);
+    EXPECT_GT(config.to_display("Display P3", "", where).to_rgb(exact_spaces[0].primaries[0]).g, 0.1);
 }
 
 TEST(OurConfig, DefaultDisplayIsPlainSrgbAndSaysSo) {
     const ColourTransform transform = builtin().to_display("", "", where);
     EXPECT_EQ(transform.display(), "sRGB");
     EXPECT_EQ(transform.view(), "Standard");
-    EXPECT_EQ(transform.target(), "sRGB / Standard");
+    EXPECT_EQ(transform.name(), "sRGB / Standard");
     EXPECT_EQ(transform.interop_id(), "srgb_rec709_display");
     EXPECT_FALSE(transform.linear_matrix());
 }
@@ -172,16 +172,16 @@ TEST(OurConfig, AliasesAndRolesAreResolvedToOneName) {
     const ColourConfig config = builtin();
     for (const char* name : {"lin_rec709", "LIN_REC709", "lin_srgb", "Linear Rec.709 (sRGB)", "scene_linear"}) {
         const ColourTransform transform = config.to_colour_space(name, where);
-        EXPECT_EQ(transform.target(), "lin_rec709");
+        EXPECT_EQ(transform.name(), "lin_rec709");
         EXPECT_EQ(transform.interop_id(), "lin_rec709_scene");
     }
     EXPECT_EQ(config.to_colour_space("sRGB - Texture", where).interop_id(), "srgb_rec709_scene");
-    EXPECT_EQ(config.to_colour_space("ACES2065-1", where).target(), "lin_ap0");
+    EXPECT_EQ(config.to_colour_space("ACES2065-1", where).name(), "lin_ap0");
 }
 
 TEST(OurConfig, XyzItselfIsAllowedThoughItsWhiteIsNotNeutral) {
     const ColourTransform transform = builtin().to_colour_space("lin_ciexyzd65_scene", where);
-    expect_near(transform.apply(Xyz{0.3, 0.2, 0.1}), {0.3, 0.2, 0.1}, 1e-15);
+    expect_near(transform.to_rgb(Xyz{0.3, 0.2, 0.1}), {0.3, 0.2, 0.1}, 1e-15);
     EXPECT_EQ(transform.interop_id(), "lin_ciexyzd65_scene");
 }
 
@@ -218,11 +218,11 @@ TEST(ThirdPartyConfigs, AgreeWithOurMatricesInEveryLinearSpaceThatTheyShare) {
         for (const auto& [theirs, ours] : spaces) {
             if (theirs == "Linear AdobeRGB" && std::string(file) != "cif-core-renderer-1.1.0") continue;
             const ColourTransform transform = config.to_colour_space(theirs, where);
-            EXPECT_EQ(transform.target(), theirs);
+            EXPECT_EQ(transform.name(), theirs);
             EXPECT_EQ(transform.interop_id(), ours + "_scene");
             const ColourTransform own = builtin().to_colour_space(ours, where);
             for (const Xyz colour : exact_spaces[0].primaries)
-                expect_near(transform.apply(colour), own.apply(colour), 2e-14);
+                expect_near(transform.to_rgb(colour), own.to_rgb(colour), 2e-14);
         }
     }
 }
@@ -231,20 +231,20 @@ TEST(ThirdPartyConfigs, InactiveSpacesAreReachedAndADisplaySpaceIsNotToneMapped)
     const ColourConfig config = opened("aces-cg-1.0.0/config.ocio");
     const ColourTransform transform = config.to_colour_space("sRGB - Display", where);
     EXPECT_EQ(transform.interop_id(), "srgb_rec709_display");
-    expect_near(transform.apply(white()), {1, 1, 1}, 1e-6);
+    expect_near(transform.to_rgb(white()), {1, 1, 1}, 1e-6);
 }
 
 // ACES 1.0 SDR maps diffuse white to about 0.81 and is neutral; "Un-tone-mapped" maps it to 1.
 TEST(ThirdPartyConfigs, AViewAppliesItsToneMapAndStatesTheEncodingOfTheDisplay) {
     const ColourConfig config = opened("aces-cg-1.0.0/config.ocio");
     const ColourTransform film = config.to_display("", "", where);
-    EXPECT_EQ(film.target(), "sRGB - Display / ACES 1.0 - SDR Video");
+    EXPECT_EQ(film.name(), "sRGB - Display / ACES 1.0 - SDR Video");
     EXPECT_EQ(film.interop_id(), "srgb_rec709_display");
-    const Rgb rgb = film.apply(white());
+    const Rgb rgb = film.to_rgb(white());
     EXPECT_NEAR(rgb.g, 0.81, 0.01);
     EXPECT_NEAR(rgb.r, rgb.g, 1e-3);
     EXPECT_NEAR(rgb.b, rgb.g, 1e-3);
-    expect_near(config.to_display("sRGB - Display", "Un-tone-mapped", where).apply(white()), {1, 1, 1}, 1e-6);
+    expect_near(config.to_display("sRGB - Display", "Un-tone-mapped", where).to_rgb(white()), {1, 1, 1}, 1e-6);
 }
 
 TEST(ThirdPartyConfigs, AConfigWithNothingButDataViewsHasNoSwatches) {
@@ -265,7 +265,7 @@ TEST(Entrance, AcesRoleThatNamesAnotherSpaceIsFoundByASaturatedColour) {
 TEST(Entrance, InterchangeOfTheSceneOverrulesAWrongRole) {
     const ColourTransform transform =
         opened("wrong_aces_role.ocio", "XYZ reference").to_colour_space("lin_rec709", where);
-    expect_near(transform.apply(exact_spaces[0].primaries[0]), {1, 0, 0}, 1e-13);
+    expect_near(transform.to_rgb(exact_spaces[0].primaries[0]), {1, 0, 0}, 1e-13);
 }
 
 TEST(Entrance, RoleThatColoursWhiteIsRefusedForSpacesAndForViews) {
@@ -294,9 +294,9 @@ TEST(Entrance, ConfigWithoutRolesNeedsAnInterchangeAndTakesIt) {
               "\"cie_xyz_d65_interchange\"; add one, or name its scene-referred CIE XYZ D65 space as `interchange`");
     const ColourConfig config = opened("no_interchange.ocio", "Studio XYZ");
     const ColourTransform transform = config.to_colour_space("scene_linear", where);
-    EXPECT_EQ(transform.target(), "Studio Linear");
+    EXPECT_EQ(transform.name(), "Studio Linear");
     EXPECT_EQ(transform.interop_id(), "lin_rec709_scene");
-    expect_near(transform.apply(white()), {1, 1, 1}, 1e-14);
+    expect_near(transform.to_rgb(white()), {1, 1, 1}, 1e-14);
     // Inactive, and yet asked for by name.
     EXPECT_EQ(config.to_colour_space("Studio Old", where).interop_id(), "lin_ap1_scene");
     const std::vector<std::string> listed = config.colour_spaces();
@@ -325,7 +325,7 @@ TEST(Entrance, AToneMapOnTheOnlyRoadIsRefused) {
               "display-referred, the target is not, and the default view transform between is more than a matrix; give "
               "the config "
               "role \"aces_interchange\", or name its scene-referred CIE XYZ D65 space as `interchange`");
-    expect_near(opened("tone_map_between.ocio").to_colour_space("Screen RGB", where).apply(white()), {1, 1, 1}, 1e-6);
+    expect_near(opened("tone_map_between.ocio").to_colour_space("Screen RGB", where).to_rgb(white()), {1, 1, 1}, 1e-6);
 }
 
 TEST(Entrance, WithBothRolesTheSceneIsEnteredOnItsOwnSide) {
@@ -335,15 +335,15 @@ TEST(Entrance, WithBothRolesTheSceneIsEnteredOnItsOwnSide) {
     EXPECT_TRUE(scene.linear_matrix());
     // The display space without the tone map (a square root), the view with it.
     const Xyz grey{0.25 * white().x, 0.25, 0.25 * white().z};
-    expect_near(config.to_colour_space("Screen RGB", where).apply(grey), {0.25, 0.25, 0.25}, 1e-6);
+    expect_near(config.to_colour_space("Screen RGB", where).to_rgb(grey), {0.25, 0.25, 0.25}, 1e-6);
     const ColourTransform plain = builtin().to_colour_space("lin_rec709", where);
-    expect_near(config.to_display("", "", where).apply(grey),
-                plain.apply(Xyz{std::sqrt(grey.x), std::sqrt(grey.y), std::sqrt(grey.z)}), 1e-6);
+    expect_near(config.to_display("", "", where).to_rgb(grey),
+                plain.to_rgb(Xyz{std::sqrt(grey.x), std::sqrt(grey.y), std::sqrt(grey.z)}), 1e-6);
 }
 
 TEST(Entrance, AScenesXyzIsPreferredToAcesBecauseItNeedsNoAdaptation) {
     const ColourTransform transform = opened("two_scene_roles.ocio").to_colour_space("Studio Linear", where);
-    expect_near(transform.apply(exact_spaces[0].primaries[0]), {1, 0, 0}, 1e-13);
+    expect_near(transform.to_rgb(exact_spaces[0].primaries[0]), {1, 0, 0}, 1e-13);
 }
 
 TEST(Targets, UnknownNamesAreAnsweredWithTheNearest) {
@@ -426,11 +426,11 @@ TEST(Ctf, CarriesMatricesCurvesTablesAndToneMapsBitForBit) {
          {ours.to_colour_space("lin_rec709", where), ours.to_colour_space("lin_ap1", where),
           ours.to_display("", "", where), aces.to_colour_space("ACEScc", where), aces.to_display("", "", where),
           aces.to_display("Rec.2100-PQ - Display", "", where)}) {
-        const ColourTransform again = ColourTransform::from_ctf(transform.to_ctf(), transform.target(), "a.exr");
-        expect_same_bits(transform.apply(colours), again.apply(colours));
-        EXPECT_EQ(transform.to_ctf(), again.to_ctf());
+        const ColourTransform again = ColourTransform::from_ctf(transform.transform_text(), transform.name(), "a.exr");
+        expect_same_bits(transform.to_rgb(colours), again.to_rgb(colours));
+        EXPECT_EQ(transform.transform_text(), again.transform_text());
         EXPECT_EQ(transform.linear_matrix().has_value(), again.linear_matrix().has_value());
-        EXPECT_EQ(again.target(), transform.target());
+        EXPECT_EQ(again.name(), transform.name());
     }
 }
 
@@ -441,8 +441,8 @@ TEST(Ctf, NamesNoFileAndLeavesNone) {
     setenv("TMPDIR", folder.c_str(), 1);
     const ColourTransform transform = opened("aces-cg-1.0.0/config.ocio").to_colour_space("ACEScc", where);
     EXPECT_TRUE(std::filesystem::is_empty(folder));
-    EXPECT_EQ(transform.to_ctf().find(folder.string()), std::string::npos);
-    EXPECT_EQ(transform.to_ctf().find(".ocio"), std::string::npos);
+    EXPECT_EQ(transform.transform_text().find(folder.string()), std::string::npos);
+    EXPECT_EQ(transform.transform_text().find(".ocio"), std::string::npos);
     std::filesystem::remove_all(folder);
     EXPECT_NE(message_of([] { builtin().to_colour_space("srgb_rec709", where); }).find("is $TMPDIR right?"),
               std::string::npos);
@@ -460,7 +460,7 @@ TEST(Ctf, HostileTextIsRefused) {
               "a.exr: the OCIO transform refers to other files; it must contain everything itself");
     EXPECT_EQ(message("<!DOCTYPE x [<!ENTITY r \"y\">]><ProcessList/>"),
               "a.exr: the OCIO transform refers to other files; it must contain everything itself");
-    const std::string cut = builtin().to_colour_space("lin_rec709", where).to_ctf().substr(0, 200);
+    const std::string cut = builtin().to_colour_space("lin_rec709", where).transform_text().substr(0, 200);
     const std::string answer = message(cut);
     EXPECT_EQ(answer.substr(0, 41), "a.exr: OpenColorIO refuses the transform:");
     EXPECT_EQ(answer.find('\n'), std::string::npos);
@@ -473,10 +473,10 @@ TEST(Apply, FirstPixelThatIsNotFiniteIsNamedBeforeOcioSeesIt) {
     image.at(1, 1).z = std::numeric_limits<double>::infinity();
     const std::string message =
         "XYZ on the way to \"lin_rec709\": pixel (1, 1) is (0.1, 0.2, inf); only finite numbers are allowed";
-    EXPECT_EQ(message_of([&] { builtin().to_colour_space("lin_rec709", where).apply(image); }), message);
+    EXPECT_EQ(message_of([&] { builtin().to_colour_space("lin_rec709", where).to_rgb(image); }), message);
     image.at(1, 1).z = 1e300;  // finite, but not in float
     EXPECT_NE(
-        message_of([&] { builtin().to_colour_space("srgb_rec709", where).apply(image); }).find("(0.1, 0.2, 1e+300)"),
+        message_of([&] { builtin().to_colour_space("srgb_rec709", where).to_rgb(image); }).find("(0.1, 0.2, 1e+300)"),
         std::string::npos);
 }
 
@@ -484,12 +484,12 @@ TEST(Apply, ImagesKeepTheirShapeAndTheirOrder) {
     for (const char* name : {"lin_rec709", "srgb_rec709"}) {
         const ColourTransform transform = builtin().to_colour_space(name, where);
         const Image<Xyz> image = many_colours();
-        const Image<Rgb> rgb = transform.apply(image);
+        const Image<Rgb> rgb = transform.to_rgb(image);
         ASSERT_EQ(rgb.width(), 64);
         ASSERT_EQ(rgb.height(), 32);
         // SIMD and scalar code of OpenColorIO may differ in the last bit.
-        expect_near(rgb.at(5, 7), transform.apply(image.at(5, 7)), 1e-6);
-        EXPECT_EQ(transform.apply(Image<Xyz>()).size(), 0U);
+        expect_near(rgb.at(5, 7), transform.to_rgb(image.at(5, 7)), 1e-6);
+        EXPECT_EQ(transform.to_rgb(Image<Xyz>()).size(), 0U);
     }
 }
 
@@ -497,7 +497,7 @@ TEST(Apply, LinearMatrixIsWhatIsApplied) {
     const ColourTransform transform = builtin().to_colour_space("lin_p3d65", where);
     ASSERT_TRUE(transform.linear_matrix());
     const glm::dvec3 rgb = *transform.linear_matrix() * glm::dvec3(0.3, 0.2, 0.1);
-    EXPECT_EQ(transform.apply(Xyz{0.3, 0.2, 0.1}), (Rgb{rgb.x, rgb.y, rgb.z}));
+    EXPECT_EQ(transform.to_rgb(Xyz{0.3, 0.2, 0.1}), (Rgb{rgb.x, rgb.y, rgb.z}));
     EXPECT_FALSE(builtin().to_colour_space("srgb_rec709", where).linear_matrix());
 }
 

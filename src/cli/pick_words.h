@@ -3,6 +3,8 @@
 #include <string>
 #include <vector>
 
+#include "pipeline/pick_scene.h"
+
 namespace nacre {
 
 /// What `nacre pick` was given.
@@ -20,26 +22,10 @@ struct PickOptions {
     bool strict = false;
 };
 
-/// One pick, as a scene has it.
-struct PickLine {
-    std::string toml;     ///< "{ angle_deg = 0, colour = \"#3a6fd0\" }"
-    std::string comment;  ///< behind it; may be empty
-};
-
 /// The arguments COLOUR@ANGLE as picks. Throws Error for one that is none.
 std::vector<PickLine> pick_lines(const PickOptions& options);
 
 /// Refuses what --with has that is no key and value, or one that it has twice. Throws Error.
 void check_with(const std::vector<std::string>& with);
-
-/// A scene of one material and its swatches.
-/// @param material  its lines, but for the picks
-/// @param picks     the value of `picks`; empty: no such key
-/// @param comments  lines above the material; may be empty
-std::string pick_scene(const PickOptions& options, const std::string& material, const std::string& picks,
-                       const std::string& comments, bool has_colours);
-
-/// "[\n    { ... },  # comment\n]"
-std::string picks_toml(const std::vector<PickLine>& picks);
 
 }  // namespace nacre

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "cli/settled_luts.h"
+#include "pipeline/decide.h"
 
 namespace nacre {
 
@@ -9,6 +9,6 @@ namespace nacre {
 ///
 /// Found by doing it in memory: all of a LUT of up to 32768 texels, some rows of a larger one. So it costs a few
 /// milliseconds, and holds for the machine that it ran on.
-double rehearse(const SettledTask& task);
+double rehearse(const DecidedLut& lut);
 
 }  // namespace nacre

@@ -1,8 +1,11 @@
-#include "cli/pick_scene.h"
+#include "cli/pick_words.h"
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cctype>
+#include <charconv>
+#include <cstddef>
+#include <system_error>
+#include <utility>
 
 #include "io/scene/scene_file.h"
 #include "nacre/base/error.h"
@@ -15,31 +18,26 @@ namespace {
 
 double number_in(const std::string& text, const std::string& argument, const char* what) {
     double value = 0.0;
-    if (!text.empty() && CLI::detail::lexical_cast(text, value)) return value;
-    throw Error(argument + ": " + in_quotes(text) + " is no " + what + "; give COLOUR@ANGLE, as in \"#22cc66@0\"");
+    const char* const end = text.data() + text.size();
+    const auto [rest, failure] = std::from_chars(text.data(), end, value);
+    if (!text.empty() && failure == std::errc() && rest == end) return value;
+    throw Error(argument + ": " + in_quotes(text) + " is not " + what + "; give COLOUR@ANGLE, as in \"#22cc66@0\"");
 }
 
 // "#rrggbb", "#rgb" or three numbers with commas between.
 std::string colour_in(const std::string& text, const std::string& argument) {
     if (parse_hex_colour(text)) return toml_string(text);
     if (std::count(text.begin(), text.end(), ',') != 2)
-        throw Error(argument + ": " + in_quotes(text) + " is no colour; give \"#rrggbb\", \"#rgb\" or r,g,b");
+        throw Error(argument + ": " + in_quotes(text) + " is not a colour; give \"#rrggbb\", \"#rgb\" or r,g,b");
     std::string list = "[";
     std::size_t begin = 0;
     for (int component = 0; component < 3; ++component) {
         const std::size_t end = std::min(text.find(',', begin), text.size());
         list +=
-            (component > 0 ? ", " : "") + number_text(number_in(text.substr(begin, end - begin), argument, "number"));
+            (component > 0 ? ", " : "") + number_text(number_in(text.substr(begin, end - begin), argument, "a number"));
         begin = end + 1;
     }
     return list + "]";
-}
-
-std::string heading(const char* kind, const std::string& name) {
-    const bool is_bare = !name.empty() && std::all_of(name.begin(), name.end(), [](unsigned char character) {
-        return std::isalnum(character) != 0 || character == '_' || character == '-';
-    });
-    return "[" + std::string(kind) + "." + (is_bare ? name : toml_string(name)) + "]\n";
 }
 
 }  // namespace
@@ -49,7 +47,7 @@ std::vector<PickLine> pick_lines(const PickOptions& options) {
     for (const std::string& text : options.picks) {
         const std::size_t at = text.rfind('@');
         if (at == std::string::npos) throw Error(text + ": has no angle; give COLOUR@ANGLE, as in \"#22cc66@0\"");
-        const double angle_deg = number_in(text.substr(at + 1), text, "angle");
+        const double angle_deg = number_in(text.substr(at + 1), text, "an angle");
         if (!(angle_deg >= 0.0 && angle_deg <= 90.0))
             throw Error(text + ": the angle is out of range; allowed [0, 90] degrees");
         std::string toml =
@@ -67,7 +65,7 @@ void check_with(const std::vector<std::string>& with) {
             "; give KEY=VALUE as in a scene: index = 1.33, index = \"water\", index = { from = 1.3, to = 1.5 }";
         const std::size_t equals = line.find('=');
         if (equals == std::string::npos || line.find('\n') != std::string::npos)
-            throw Error("--with " + in_quotes(line) + ": is no key and value" + wanted);
+            throw Error("--with " + in_quotes(line) + ": is not a key and a value" + wanted);
         std::string key = line.substr(0, equals);
         std::erase_if(key, [](unsigned char character) { return std::isspace(character) != 0; });
         try {
@@ -78,30 +76,6 @@ void check_with(const std::vector<std::string>& with) {
         if (std::find(keys.begin(), keys.end(), key) != keys.end()) throw Error("--with " + key + ": is given twice");
         keys.push_back(std::move(key));
     }
-}
-
-std::string picks_toml(const std::vector<PickLine>& picks) {
-    std::string text = "[\n";
-    for (const PickLine& pick : picks) {
-        text += "    " + pick.toml + ",";
-        if (!pick.comment.empty()) text += "  # " + pick.comment;
-        text += "\n";
-    }
-    return text + "]";
-}
-
-std::string pick_scene(const PickOptions& options, const std::string& material, const std::string& picks,
-                       const std::string& comments, bool has_colours) {
-    std::string text = "nacre = 1\n\n" + comments + heading("material", options.name) + material;
-    if (!picks.empty()) text += "picks = " + picks + "\n";
-    const auto add_swatch = [&](const std::string& draw) {
-        text += "\n" + heading("swatch", options.name + "_" + draw) + "draw = " + toml_string(draw) +
-                "\nmaterial = " + toml_string(options.name) + "\n";
-    };
-    if (has_colours) add_swatch("picks");
-    add_swatch("strip");
-    add_swatch("sphere");
-    return text;
 }
 
 }  // namespace nacre

@@ -1,8 +1,10 @@
-#include "cli/rehearsal.h"
+#include "pipeline/rehearsal.h"
 
 #include <algorithm>
 
-#include "cli/thread_clock.h"
+#include "io/image/lut_file.h"
+#include "pipeline/manifest.h"
+#include "pipeline/thread_clock.h"
 
 namespace nacre {
 namespace {
@@ -12,15 +14,15 @@ constexpr int most_texels = 32768;
 // Once only: a bake finds the caches cold too, and so the first LUT of a plan takes as long as the first of a bake.
 double seconds_of(const SettledLut& lut, const LoadedScene& scene) {
     const double begin = thread_seconds();
-    const BakedLut baked = bake_lut(lut, scene.plan, scene.source, scene.transform);
+    const BakedLut baked = bake_lut(lut, scene.plan, scene.source, *scene.space);
     const std::string exr = encode_lut(baked.image, lut.lut.format, baked.header);
-    const std::string manifest = manifest_json(lut, baked);
+    const std::string manifest = manifest_text(lut, baked);
     return thread_seconds() - begin;
 }
 
 }  // namespace
 
-double rehearse(const SettledTask& task) {
+double rehearse(const DecidedLut& task) {
     SettledLut sample = task.lut;
     Job& job = sample.lut.job;
     const double texels = static_cast<double>(job.width) * job.height;

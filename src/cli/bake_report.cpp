@@ -1,0 +1,79 @@
+#include "cli/bake_report.h"
+
+#include <cmath>
+#include <cstddef>
+#include <string_view>
+
+#include "cli/report.h"
+#include "nacre/accuracy/choose_sampling.h"
+#include "nacre/base/text.h"
+#include "nacre/lut/formats.h"
+#include "nacre/lut/job.h"
+#include "nacre/lut/planned_lut.h"
+#include "nacre/scene/output_names.h"
+#include "nacre/scene/planned_swatch.h"
+
+namespace nacre {
+namespace {
+
+// "dE00 0.021 of 0.1".
+std::string accuracy_text(const PlannedLut& lut, const BakedLut& baked) {
+    if (!baked.reached) return "dE00 unknown";
+    return "dE00 " + short_number(*baked.reached) + (lut.wish.has_bound ? " of " + number_text(lut.wish.max_de00) : "");
+}
+
+std::string_view gamut_text(Gamut rule) {
+    return rule == Gamut::keep ? "kept" : rule == Gamut::clip ? "clipped" : "compressed";
+}
+
+std::string lut_line(const BakeTask& task, const BakedLut& baked) {
+    const PlannedLut& lut = task.decided->lut.lut;
+    std::string line = output_files(lut).front() + "  " + size_text(lut.job) + " " +
+                       std::string(name_of(format_words, lut.format)) + "  " + task.scene->space->name() + "  " +
+                       accuracy_text(lut, baked);
+    if (baked.gamut.outside > 0) {
+        const int texels = lut.job.width * lut.job.height;
+        line += "  " + std::to_string(baked.gamut.outside) + " of " + std::to_string(texels) +
+                " texels out of gamut by up to " + short_number(-baked.gamut.most_negative) + ", " +
+                std::string(gamut_text(task.scene->plan.colour.gamut));
+    }
+    for (const EffectChoice& choice : task.decided->lut.effects) {
+        if (!choice.is_simulated && choice.is_measured)
+            line +=
+                "  without " + std::string(row_of(choice.effect).name) + " (" + short_number(choice.contribution) + ")";
+    }
+    if (baked.clamped.below_deg) line += "  clamped below " + fixed_text(*baked.clamped.below_deg, 1) + " deg";
+    if (baked.clamped.above_deg) line += "  clamped above " + fixed_text(*baked.clamped.above_deg, 1) + " deg";
+    return line;
+}
+
+}  // namespace
+
+std::string bake_line(const BakeTask& task, const BakeOutcome& outcome) {
+    std::string line;
+    if (task.lut != nullptr) {
+        line = lut_line(task, outcome.baked);
+    } else {
+        line = task.name() + ".png  " + std::string(name_of(swatch_words, task.swatch->kind)) + "  " +
+               task.scene->displays[task.swatch_index]->name();
+    }
+    return line + (outcome.unchanged ? "  (unchanged)" : "");
+}
+
+Json bake_json(const BakeTask& task, const BakeOutcome& outcome) {
+    if (task.lut == nullptr) {
+        const ColourSpace& display = *task.scene->displays[task.swatch_index];
+        return {{"file", task.name() + ".png"},
+                {"draw", name_of(swatch_words, task.swatch->kind)},
+                {"display", display.display()},
+                {"view", display.view()},
+                {"unchanged", outcome.unchanged}};
+    }
+    Json json = outcome.manifest;
+    json["unchanged"] = outcome.unchanged;
+    json["seconds"] = {{"deciding", task.decided->seconds}, {"baking", outcome.seconds}};
+    json["work"] = {{"deciding", work_json(task.decided->lut.work)}, {"baking", work_json(outcome.baked.work)}};
+    return json;
+}
+
+}  // namespace nacre

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <string>
+
+#include "pipeline/bake_task.h"
+#include "pipeline/json.h"
+
+namespace nacre {
+
+/// What became of a task that succeeded, in one line: files, size and format, space, error, gamut, effects left out.
+std::string bake_line(const BakeTask& task, const BakeOutcome& outcome);
+
+/// The same for --json: a LUT's manifest with `unchanged`, `seconds` and `work`; a swatch's file, display and view.
+Json bake_json(const BakeTask& task, const BakeOutcome& outcome);
+
+}  // namespace nacre

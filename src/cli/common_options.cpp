@@ -1,0 +1,65 @@
+#include "cli/common_options.h"
+
+#include "nacre/lut/planned_lut.h"
+
+namespace nacre {
+namespace {
+
+// More threads than any machine has; oneTBB would reserve a stack for each.
+constexpr Allowed allowed_threads{0, 1024};
+
+}  // namespace
+
+Option scenes_option(std::vector<std::string>& scenes) {
+    return {.names = "SCENE", .target = &scenes, .help = "scene files (TOML)", .is_required = true};
+}
+
+Option only_option(std::vector<std::string>& names) {
+    return {.names = "--only",
+            .target = &names,
+            .help = "bake only the LUTs and swatches of these names: --only a b, or --only a,b",
+            .value_name = "NAME",
+            .is_list = true};
+}
+
+Option ocio_option(std::string& file) {
+    return {.names = "--ocio",
+            .target = &file,
+            .help = "OpenColorIO config to use instead of the scene's and of $OCIO",
+            .value_name = "FILE"};
+}
+
+Option threads_option(int& threads) {
+    return {.names = "--threads",
+            .target = &threads,
+            .help = "number of threads; 0: one per core",
+            .value_name = "N",
+            .shows_default = true,
+            .range = allowed_threads};
+}
+
+Option strict_option(bool& is_strict) {
+    return {.names = "--strict",
+            .target = &is_strict,
+            .help = "treat a picked colour that cannot be reached as an error instead of a warning"};
+}
+
+Option accuracy_option(double& bound) {
+    return {.names = "--accuracy",
+            .target = &bound,
+            .help = "largest colour error (CIEDE2000), instead of the scene's max_de00; default: 0.1",
+            .value_name = "DE",
+            .range = allowed_max_de00};
+}
+
+Option effects_option(std::string& word) {
+    return {.names = "--effects",
+            .target = &word,
+            .help =
+                "auto: leave out effects whose absence stays within their share of the error bound (default); all: "
+                "simulate every effect that the scene names",
+            .value_name = "auto|all",
+            .allowed = {"auto", "all"}};
+}
+
+}  // namespace nacre

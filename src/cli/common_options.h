@@ -1,0 +1,21 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "cli/options.h"
+
+namespace nacre {
+
+/// Options that several commands share.
+Option scenes_option(std::vector<std::string>& scenes);
+Option only_option(std::vector<std::string>& names);
+Option ocio_option(std::string& file);
+Option threads_option(int& threads);
+Option strict_option(bool& is_strict);
+/// @param bound  stays 0 if it is not given
+Option accuracy_option(double& bound);
+/// @param word  stays empty if it is not given
+Option effects_option(std::string& word);
+
+}  // namespace nacre

@@ -1,0 +1,95 @@
+#include "cli/plan_notes.h"
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <variant>
+
+#include "cli/found_report.h"
+#include "cli/report.h"
+#include "nacre/base/text.h"
+#include "nacre/base/words.h"
+#include "nacre/material/mechanism.h"
+#include "nacre/pick/picked_colour.h"
+#include "nacre/scene/planned_swatch.h"
+
+namespace nacre {
+namespace {
+
+// What picked colours became.
+void note_picked(const LoadedScene& scene, Console& console) {
+    for (const SceneMaterial& material : scene.plan.materials) {
+        for (const PickedColour& picked : material.picked) {
+            std::string band;
+            if (picked.lobe) {
+                band = " is the band peak_nm = " + significant_text(picked.lobe->peak_nm, 6) +
+                       ", width_nm = " + significant_text(picked.lobe->width_nm, 6) +
+                       ", height = " + significant_text(picked.lobe->height, 4) + ",";
+            }
+            console.summary(material.name + ": " + picked.text + " at " + number_text(picked.angle_deg) + " deg" +
+                            band + (picked.lobe ? " " : ": ") + match_text(picked));
+        }
+    }
+    for (const MaterialSearch& search : scene.plan.searches) {
+        if (search.search.free.empty()) continue;
+        for (std::size_t i = 0; i < search.found.size(); ++i)
+            console.summary(search.material + ": " + (i == 0 ? "found " : "or    ") + answer_text(search, i));
+    }
+}
+
+// What the picks say about the shape that the scene left open.
+void note_shapes(const LoadedScene& scene, Console& console) {
+    for (const SceneMaterial& material : scene.plan.materials) {
+        if (!material.shape_fit) continue;
+        const auto& picks = std::get<Palette>(material.mechanism).picks;
+        std::string misses;
+        for (std::size_t i = 0; i < picks.size(); ++i) {
+            misses += (i == 0 ? "" : ", ") + significant_text(material.shape_fit->de00[i], 2) + " at " +
+                      number_text(picks[i].angle_deg) + " deg";
+        }
+        console.summary(material.name + ": shape = " + number_text(material.shape_fit->shape) +
+                        " is nearest to its picks; straight lines would miss them by CIEDE2000 " + misses);
+    }
+}
+
+// What a scene's picks ask for that no surface can do.
+void note_clamps(const LoadedScene& scene, Console& console) {
+    for (const SceneMaterial& material : scene.plan.materials) {
+        const auto* palette = std::get_if<Palette>(&material.mechanism);
+        if (palette == nullptr) continue;
+        const ClampBounds bounds = palette_clamp_bounds(*palette);
+        const auto note = [&](const char* side, const std::optional<double>& angle_deg) {
+            if (!angle_deg) return;
+            console.summary(material.name + ": clamped " + side + " " + short_number(*angle_deg) +
+                            " deg, where its picks lead to a reflectance outside 0 to 1, or a width below 0");
+        };
+        note("below", bounds.below_deg);
+        note("above", bounds.above_deg);
+    }
+}
+
+// What measurements do not say, and how it is filled in.
+void note_edges(const LoadedScene& scene, Console& console) {
+    for (const SceneMaterial& material : scene.plan.materials) {
+        const auto* spectra = std::get_if<MeasuredSpectra>(&material.mechanism);
+        if (spectra == nullptr) continue;
+        const auto range = [](double first, double last) { return number_text(first) + " to " + number_text(last); };
+        console.summary(material.name + ": measured from " +
+                        range(spectra->wavelength_nm.front(), spectra->wavelength_nm.back()) + " nm and " +
+                        range(spectra->angle_deg.front(), spectra->angle_deg.back()) +
+                        " deg; beyond, the nearest measurement is held");
+    }
+}
+
+}  // namespace
+
+void note_scene(const LoadedScene& scene, Console& console) {
+    note_picked(scene, console);
+    note_shapes(scene, console);
+    note_clamps(scene, console);
+    note_edges(scene, console);
+    for (const PlannedSwatch& swatch : scene.plan.swatches)
+        console.summary(swatch.name + ".png: " + std::string(name_of(swatch_words, swatch.kind)));
+}
+
+}  // namespace nacre

@@ -1,0 +1,70 @@
+#include "cli/scenes.h"
+
+#include <algorithm>
+#include <cstddef>
+
+#include "cli/report.h"
+#include "cli/stop_signal.h"
+#include "io/ocio/ocio_spaces.h"
+#include "nacre/base/error.h"
+#include "nacre/base/names.h"
+#include "nacre/lut/planned_lut.h"
+
+namespace nacre {
+namespace {
+
+void check_names(const std::vector<std::string>& only, const std::vector<LoadedScene>& scenes) {
+    std::vector<std::string> known;
+    for (const LoadedScene& scene : scenes) known.insert(known.end(), scene.plan.names.begin(), scene.plan.names.end());
+    for (const std::string& name : only) {
+        const auto is_known = [&](const std::string& one) {
+            return std::find(known.begin(), known.end(), one) != known.end();
+        };
+        if (is_known(name) || is_known(name + "_s")) continue;  // a name may stand for both polarisations
+        throw Error("--only " + in_quotes(name) +
+                    ": the scenes have no LUT or swatch of that name; known: " + known_like(name, known));
+    }
+}
+
+}  // namespace
+
+SceneRequest scene_request(const std::string& ocio, Console& console) {
+    SceneRequest request;
+    request.open_colours = open_ocio_spaces;
+    request.config = ocio;
+    request.after_step = throw_if_stopped;
+    request.on_warning = [&console](const std::string& warning) { console.warning(warning); };
+    return request;
+}
+
+std::vector<LoadedScene> open_scenes(const std::vector<std::string>& paths, const SceneRequest& request,
+                                     Console& console) {
+    std::vector<LoadedScene> scenes = load_scenes(paths, request);
+    for (const LoadedScene& scene : scenes) {
+        console.note(scene.path + ": " + std::to_string(scene.plan.luts.size()) + " LUTs and " +
+                     std::to_string(scene.plan.swatches.size()) + " swatches; OpenColorIO config " +
+                     scene.source.config + ", space " + scene.space->name());
+    }
+    check_names(request.only, scenes);
+    return scenes;
+}
+
+AccuracyOverride accuracy_override(double max_de00, const std::string& effects) {
+    AccuracyOverride accuracy;
+    if (max_de00 > 0.0) accuracy.max_de00 = max_de00;
+    if (!effects.empty()) accuracy.may_drop_effects = effects == "auto";
+    return accuracy;
+}
+
+std::size_t report_out_of_reach(const std::vector<DecidedLut>& luts, bool best_effort, Console& console) {
+    std::size_t count = 0;
+    for (const DecidedLut& lut : luts) {
+        if (!lut.is_out_of_reach()) continue;
+        const bool is_error = lut.lut.lut.wish.is_binding && !best_effort;
+        is_error ? console.error(out_of_reach(lut.lut)) : console.warning(out_of_reach(lut.lut));
+        count += is_error ? 1 : 0;
+    }
+    return count;
+}
+
+}  // namespace nacre

@@ -1,0 +1,110 @@
+// Opening a scene: its text is read and planned (nacre/scene), then the colour config that it names is opened, and
+// every space, display and view that the plan speaks of is looked up. After that only the disk can fail.
+#include "pipeline/loaded_scene.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "io/scene/scene_file.h"
+#include "nacre/base/error.h"
+#include "nacre/lut/formats.h"
+#include "nacre/lut/gamut.h"
+#include "nacre/lut/planned_lut.h"
+#include "nacre/scene/output_names.h"
+#include "nacre/scene/planned_swatch.h"
+#include "nacre/scene/table.h"
+#include "pipeline/picked_colours.h"
+
+namespace nacre {
+namespace {
+
+// What configs call linear Rec.709, nacre's default space, when they do not call it lin_rec709.
+constexpr const char* linear_rec709_names[] = {"lin_rec709_scene", "Linear Rec.709 (sRGB)", "lin_srgb",
+                                               "Utility - Linear - sRGB"};
+
+bool contains(const std::vector<std::string>& names, const std::string& name) {
+    return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+std::shared_ptr<const ColourSpace> target_space(const ColourSpaces& colours, const ColourSettings& settings,
+                                                const std::string& where) {
+    std::string name = settings.space;
+    if (!settings.is_space_given) {
+        const std::vector<std::string> known = colours.names();
+        const auto other = std::find_if(std::begin(linear_rec709_names), std::end(linear_rec709_names),
+                                        [&](const char* candidate) { return contains(known, candidate); });
+        if (!contains(known, name) && other != std::end(linear_rec709_names)) name = *other;
+    }
+    auto space = colours.space(name, where);
+    if (settings.gamut == Gamut::compress && !space->linear_matrix()) {
+        throw Error(where + ": gamut = \"compress\" needs a linear space, and " + space->name() +
+                    " is none; use clip or keep");
+    }
+    return space;
+}
+
+bool asks_for_png(const PlannedLut& lut) {
+    return std::find(lut.outputs.begin(), lut.outputs.end(), LutOutput::png) != lut.outputs.end();
+}
+
+Plan plan_table(const Table& table, const std::string& path, const SceneRequest& request) {
+    Plan plan =
+        plan_scene(table, scene_files_with_colours(path, request.config, request.open_colours, request.after_step),
+                   {request.only, request.all_materials, request.strict});
+    if (request.on_warning) {
+        for (const std::string& warning : plan.warnings) request.on_warning(warning);
+    }
+    return plan;
+}
+
+LoadedScene with_colours(Plan plan, const std::string& path, const SceneRequest& request) {
+    LoadedScene scene;
+    scene.path = path;
+    scene.colours = request.open_colours(config_choice(plan.colour, path, request.config));
+    scene.source = {scene.colours->description(), scene.colours->content_hash()};
+    const std::string where = plan.colour.space_where.line > 0 ? plan.colour.space_where.text() + " [colour]" : path;
+    scene.space = target_space(*scene.colours, plan.colour, where);
+    plan.colour.space = scene.space->name();
+    if (request.want_swatches) {
+        for (const PlannedSwatch& swatch : plan.swatches) {
+            scene.displays.push_back(scene.colours->display_view(
+                swatch.display, swatch.view, swatch.where.text() + " [swatch." + swatch.name + "]"));
+        }
+    }
+    const auto strip = std::find_if(plan.luts.begin(), plan.luts.end(), asks_for_png);
+    if (strip != plan.luts.end()) {
+        scene.strip_display = scene.colours->display_view("", "", strip->where.text() + " [lut." + strip->name + "]");
+    }
+    scene.plan = std::move(plan);
+    return scene;
+}
+
+}  // namespace
+
+Plan plan_file(const std::string& path, const SceneRequest& request) {
+    return plan_table(read_scene_file(path), path, request);
+}
+
+Plan plan_text(const std::string& text, const std::string& name, const SceneRequest& request) {
+    return plan_table(parse_scene(text, name), name, request);
+}
+
+LoadedScene load_scene(const std::string& path, const SceneRequest& request) {
+    return with_colours(plan_file(path, request), path, request);
+}
+
+LoadedScene load_scene_text(const std::string& text, const std::string& name, const SceneRequest& request) {
+    return with_colours(plan_text(text, name, request), name, request);
+}
+
+std::vector<LoadedScene> load_scenes(const std::vector<std::string>& paths, const SceneRequest& request) {
+    std::vector<LoadedScene> scenes;
+    OutputNames names;
+    for (const std::string& path : paths) {
+        scenes.push_back(load_scene(path, request));
+        names.claim(scenes.back().plan);
+    }
+    return scenes;
+}
+
+}  // namespace nacre

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "nacre/lut/colour_settings.h"
+#include "nacre/lut/colour_space.h"
+#include "nacre/lut/colour_spaces.h"
+#include "nacre/scene/plan.h"
+#include "pipeline/baked_lut.h"
+
+namespace nacre {
+
+/// What of a scene is wanted, and where its colour spaces come from.
+struct SceneRequest {
+    OpenColourSpaces open_colours;
+    std::string config;             ///< colour config of the front end (--ocio); wins over the scene's. May be empty
+    bool want_swatches = true;      ///< whether displays and views are needed
+    std::vector<std::string> only;  ///< names of LUTs and swatches; empty: all
+    bool all_materials = false;     ///< those too that no LUT and no swatch asks for
+    bool strict = false;            ///< whether a picked colour that cannot be reached is an error
+    /// Called every few steps of a search for what picks ask for; what it throws ends it. May be empty.
+    std::function<void()> after_step{};
+    /// Told what is allowed and hardly meant, as soon as the scene is planned. May be empty.
+    std::function<void(const std::string& warning)> on_warning{};
+};
+
+/// A scene with nothing left to go wrong but the disk: planned, its colour config open, every space, display and view
+/// found.
+struct LoadedScene {
+    std::string path;
+    Plan plan;
+    ColourSource source;
+    std::shared_ptr<const ColourSpaces> colours;               ///< the scene's config
+    std::shared_ptr<const ColourSpace> space;                  ///< of the LUTs
+    std::vector<std::shared_ptr<const ColourSpace>> displays;  ///< as many as the plan has swatches, if they are wanted
+    std::shared_ptr<const ColourSpace> strip_display;          ///< the default one, if a LUT asks for a png; else null
+};
+
+/// Reads and plans a scene file, without its colour space.
+Plan plan_file(const std::string& path, const SceneRequest& request);
+
+/// The same of text that is in memory.
+/// @param name  what messages call it
+Plan plan_text(const std::string& text, const std::string& name, const SceneRequest& request);
+
+LoadedScene load_scene(const std::string& path, const SceneRequest& request);
+LoadedScene load_scene_text(const std::string& text, const std::string& name, const SceneRequest& request);
+
+/// All of them; throws Error if two scenes would write one file.
+std::vector<LoadedScene> load_scenes(const std::vector<std::string>& paths, const SceneRequest& request);
+
+}  // namespace nacre

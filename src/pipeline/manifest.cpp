@@ -1,0 +1,124 @@
+#include "pipeline/manifest.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <string>
+
+#include "nacre/accuracy/choose_sampling.h"
+#include "nacre/base/words.h"
+#include "nacre/lut/formats.h"
+#include "nacre/lut/gamut.h"
+#include "nacre/lut/job.h"
+#include "nacre/lut/planned_lut.h"
+#include "pipeline/rounding.h"
+#include "pipeline/version.h"
+
+namespace nacre {
+namespace {
+
+// What the texels are, and where they lie.
+void add_texture(Json& json, const PlannedLut& lut) {
+    const Job& job = lut.job;
+    json["lut"] = lut.name;
+    if (std::find(lut.outputs.begin(), lut.outputs.end(), LutOutput::exr) != lut.outputs.end())
+        json["file"] = lut.name + ".exr";
+    json["material"] = job.material.name;
+    json["mechanism"] = mechanism_name(job.material.mechanism);
+    json["width"] = job.width;
+    json["height"] = job.height;
+    json["format"] = name_of(format_words, lut.format);
+    json["x"] = axis_json(job.x);
+    if (job.y) json["y"] = axis_json(*job.y);
+    json["first_row"] = "smallest y";
+    json["texcoord"] = "(x * (N - 1) + 0.5) / N";
+    json["filter"] = "linear";
+    json["wrap"] = "clamp";
+    json["mipmaps"] = false;
+}
+
+void add_colour(Json& json, const BakedLut& baked) {
+    const LutHeader& header = baked.header;
+    json["colour_space"] = header.value("colourSpace");
+    if (!header.interop_id.empty()) json["color_interop_id"] = header.interop_id;
+    if (header.chromaticities) {
+        // Six decimals are a float's own digits here; more would be those of its neighbourhood in double.
+        for (const float number : *header.chromaticities)
+            json["chromaticities"].push_back(std::round(static_cast<double>(number) * 1e6) / 1e6);
+    }
+    json["colour_config"] = header.value("colourConfig");
+    json["gamut"] = {{"rule", header.value("gamut")},
+                     {"texels_outside", baked.gamut.outside},
+                     {"most_negative", baked.gamut.most_negative}};
+    // Of what is kept it would say the same again.
+    if (header.value("gamut") != name_of(gamut_words, Gamut::keep))
+        json["gamut"]["left"] = {{"texels_outside", baked.left.outside}, {"most_negative", baked.left.most_negative}};
+}
+
+void add_light(Json& json, const LightSettings& light, const LutHeader& header) {
+    json["light"] = {{"illuminant", light.illuminant},
+                     {"observer", header.value("observer")},
+                     {"adapt", header.value("adapt")},
+                     {"range_nm", Json::array({light.first_nm, light.last_nm})},
+                     {"integration", header.value("integration")}};
+}
+
+void add_accuracy(Json& json, const SettledLut& settled, const BakedLut& baked) {
+    const AccuracyWish& wish = settled.lut.wish;
+    Json& accuracy = json["accuracy"];
+    accuracy["max_de00"] = wish.has_bound ? Json(wish.max_de00) : Json();
+    accuracy["predicted"] = baked.reached ? Json(rounded_up(settled.predicted.total)) : Json();
+    accuracy["reached"] = baked.reached ? Json(*baked.reached) : Json();
+    for (const EffectChoice& choice : settled.effects) {
+        Json effect{{"effect", row_of(choice.effect).name},
+                    {"state", choice.is_simulated ? "simulated"
+                              : choice.is_given   ? "left out"
+                                                  : "negligible"}};
+        if (!choice.is_simulated) effect["de00"] = rounded_up(choice.contribution);
+        if (!choice.is_simulated && !choice.is_given) effect["share"] = choice.share;
+        json["effects"].push_back(effect);
+    }
+}
+
+}  // namespace
+
+Json axis_json(const Axis& axis) {
+    if (axis.is_angle()) return {{"axis", axis.kind->name}};
+    return {{"parameter", axis.parameter.name}, {"from", axis.from}, {"to", axis.to}};
+}
+
+Json picked_json(const PickedColour& picked) {
+    static constexpr std::array misses{"exact", "too bright", "too saturated"};
+    Json json{{"pick", picked.pick}, {"angle_deg", picked.angle_deg}, {"colour", picked.text}};
+    if (picked.lobe) {
+        json["peak_nm"] = picked.lobe->peak_nm;
+        json["width_nm"] = picked.lobe->width_nm;
+        json["height"] = picked.lobe->height;
+    }
+    json["de00"] = rounded_up(picked.de00);
+    json["match"] = picked.lobe       ? misses[static_cast<std::size_t>(picked.lobe->miss)]
+                    : picked.is_met() ? "met"
+                                      : "missed";
+    return json;
+}
+
+Json manifest_json(const SettledLut& settled, const BakedLut& baked) {
+    Json json{{"nacre", nacre_version()}};
+    add_texture(json, settled.lut);
+    add_colour(json, baked);
+    add_light(json, settled.lut.job.light->settings, baked.header);
+    add_accuracy(json, settled, baked);
+    for (const PickedColour& picked : baked.picked) json["picked"].push_back(picked_json(picked));
+    if (baked.clamped.below_deg) json["clamped_below_deg"] = rounded_angle(*baked.clamped.below_deg);
+    if (baked.clamped.above_deg) json["clamped_above_deg"] = rounded_angle(*baked.clamped.above_deg);
+    json["scene"] = baked.header.value("scene");
+    json["scene_hash"] = baked.header.value("sceneHash");
+    return json;
+}
+
+std::string manifest_text(const SettledLut& settled, const BakedLut& baked) {
+    return manifest_json(settled, baked).text() + "\n";
+}
+
+}  // namespace nacre

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <string>
+
+#include "nacre/accuracy/settle.h"
+#include "nacre/lut/axis.h"
+#include "nacre/pick/picked_colour.h"
+#include "pipeline/baked_lut.h"
+#include "pipeline/json.h"
+
+namespace nacre {
+
+/// What tools should know about a LUT. No date, host or path.
+Json manifest_json(const SettledLut& lut, const BakedLut& baked);
+
+/// The manifest as the text of a file, ending in a newline.
+std::string manifest_text(const SettledLut& lut, const BakedLut& baked);
+
+/// { axis } or { parameter, from, to }.
+Json axis_json(const Axis& axis);
+
+/// A pick that was given as a colour: { pick, angle_deg, colour, peak_nm, width_nm, height, de00, match }.
+Json picked_json(const PickedColour& picked);
+
+}  // namespace nacre

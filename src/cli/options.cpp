@@ -84,7 +84,10 @@ void store(const Given& given) {
         for (const std::string& word : words) (*numbers)->push_back(number_in<double>(option, word));
         return;
     }
-    if (words.size() > 1) throw Error(long_name(option) + ": is given twice; give it once");
+    if (words.size() > 1) {
+        throw Error(is_option(option.names) ? long_name(option) + ": is given twice; give it once"
+                                            : "unexpected " + in_quotes(words[1]));
+    }
     if (auto* const* text = std::get_if<std::string*>(&option.target)) **text = words.front();
     if (auto* const* whole = std::get_if<int*>(&option.target)) **whole = number_in<int>(option, words.front());
     if (auto* const* real = std::get_if<double*>(&option.target)) **real = number_in<double>(option, words.front());

@@ -74,7 +74,7 @@ TEST_P(AccuracyOutOfReach, SaysWhatStandsInTheWayWithExitCode4AndWritesNothing) 
     EXPECT_EQ(result.exit_code, 4);
     EXPECT_EQ(result.out, "");
     EXPECT_EQ(result.err, std::string("nacre: s.toml:") + GetParam().message +
-                              "\nnacre: nothing was written; --best-effort writes the best there is\n");
+                              "\nnacre: nothing was written; --best-effort writes the most accurate LUTs there are\n");
     EXPECT_FALSE(std::filesystem::exists(folder.path() / "out"));
 }
 
@@ -245,7 +245,7 @@ TEST(Plan, AnUnknownLutIsAnErrorThatNamesTheKnown) {
     folder.file("s.toml", morpho);
     const ProgramResult result = run(folder, {"plan", "s.toml", "--only", "morfo"});
     EXPECT_EQ(result.exit_code, 2);
-    EXPECT_EQ(result.err, "nacre: --only morfo: the scenes have no LUT or swatch of that name; did you mean morpho?\n");
+    EXPECT_EQ(result.err, "nacre: --only \"morfo\": the scenes have no LUT or swatch of that name; known: morpho\n");
 }
 
 TEST(Cost, SweepsBoundsMethodsAndSizesAsTableCsvAndPicture) {

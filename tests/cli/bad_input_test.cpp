@@ -125,6 +125,45 @@ TEST(BadCommandLine, UnknownNameOfOnlyIsAnError) {
     error_of({"snippet", "wgsl"}, folder, 2);
 }
 
+TEST(BadCommandLine, QuotesTheValueAndNamesTheHelpOfItsCommand) {
+    const TemporaryFolder folder;
+    folder.file("s.toml", scene(""));
+    const auto error = [&](std::vector<std::string> arguments) { return error_of(arguments, folder, 2); };
+    EXPECT_EQ(error({"bake", "s.toml", "--threads", "many"}),
+              "nacre: --threads \"many\": is not a whole number; allowed [0, 1024]; see nacre bake --help\n");
+    EXPECT_EQ(error({"plan", "s.toml", "--accuracy", "-1"}),
+              "nacre: --accuracy \"-1\": is out of range; allowed [1e-05, 100]; see nacre plan --help\n");
+    EXPECT_EQ(error({"bake", "s.toml", "--treads", "3"}),
+              "nacre: unknown option \"--treads\"; did you mean --threads?; see nacre bake --help\n");
+    EXPECT_EQ(error({"bake", "s.toml", "--effects", "some"}),
+              "nacre: --effects \"some\": is not known here; allowed: auto, all; see nacre bake --help\n");
+    EXPECT_EQ(error({"bake", "s.toml", "-o"}), "nacre: --output: needs a value, --output DIR; see nacre bake --help\n");
+    EXPECT_EQ(error({"bake", "s.toml", "--accuracy", "1", "--accuracy", "2"}),
+              "nacre: --accuracy: is given twice; give it once; see nacre bake --help\n");
+    EXPECT_EQ(error({"bake"}), "nacre: SCENE is required; see nacre bake --help\n");
+    EXPECT_EQ(error({"snippet", "glsl", "hlsl"}), "nacre: unexpected \"hlsl\"; see nacre snippet --help\n");
+    EXPECT_EQ(error({"--frob"}), "nacre: unknown option \"--frob\"; see nacre --help\n");
+    EXPECT_NE(error({}).find("nacre: a command is missing; known: bake, "), std::string::npos);
+}
+
+TEST(Only, TakesSeveralNamesWithBlanksOrCommasAndLeavesTheScenesAlone) {
+    const TemporaryFolder folder;
+    folder.file("s.toml", scene("[lut.a]\n[lut.b]\n[lut.c]\n"));
+    const std::string both = "would write a.exr, a.json  256 x 1\nwould write b.exr, b.json  256 x 1\n";
+    for (const std::vector<std::string>& only : {std::vector<std::string>{"--only", "a", "b", "s.toml"},
+                                                 {"s.toml", "--only", "a", "b"},
+                                                 {"--only", "a,b", "s.toml"},
+                                                 {"s.toml", "--only=a,b"},
+                                                 {"--only", "a", "--only", "b", "s.toml"},
+                                                 {"--only", "a", "b", "--threads", "1", "s.toml"}}) {
+        std::vector<std::string> arguments{"bake", "--dry-run"};
+        arguments.insert(arguments.end(), only.begin(), only.end());
+        const ProgramResult result = run_nacre(arguments, {folder.path(), {}, {}, {}});
+        EXPECT_EQ(result.exit_code, 0) << result.err;
+        EXPECT_EQ(result.out, both);
+    }
+}
+
 TEST(BadCommandLine, SceneThatIsMissingIsAnInputError) {
     const TemporaryFolder folder;
     EXPECT_EQ(error_of({"bake", "none.toml"}, folder, 3),

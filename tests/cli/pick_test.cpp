@@ -374,7 +374,7 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"WithMeasuredPalette", {"--measured", gold_beetle, "--with", "shape = 0.3"}, 2, "leave --with out"},
         Mistake{"WithTwice", with(blue_film, {"--with", "index = 1.3", "--with", "index=1.4"}), 2,
                 "--with index: is given twice"},
-        Mistake{"WithOfTwoLines", with(blue_film, {"--with", "index = 1.3\n[light]"}), 2, "is no key and value"},
+        Mistake{"WithOfTwoLines", with(blue_film, {"--with", "index = 1.3\n[light]"}), 2, "is not a key and a value"},
         Mistake{"WithoutQuotes", with(blue_film, {"--with", "index = water"}), 2, "text stands in quotes"},
         Mistake{"ChooseOfAPalette", {"#2c6@0", "#2c9@40", "--choose", "2"}, 2, "--choose: a palette is the one answer"},
         Mistake{"PicksOfNothingMeasured", {"#2c6@0", "#2c9@40", "--picks", "3"}, 2, "--picks: is how many"},

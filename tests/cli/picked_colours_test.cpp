@@ -110,11 +110,11 @@ TEST(Pick, SaysInOneLineWhatIsWrong) {
     EXPECT_EQ(message_of({"#22cc66", "#fff@3"}),
               "nacre: #22cc66: has no angle; give COLOUR@ANGLE, as in \"#22cc66@0\"\n");
     EXPECT_EQ(message_of({"green@0", "#fff@3"}),
-              "nacre: green@0: \"green\" is no colour; give \"#rrggbb\", \"#rgb\" or r,g,b\n");
+              "nacre: green@0: \"green\" is not a colour; give \"#rrggbb\", \"#rgb\" or r,g,b\n");
     EXPECT_EQ(message_of({"#fff@91", "#fff@3"}),
               "nacre: #fff@91: the angle is out of range; allowed [0, 90] degrees\n");
     EXPECT_EQ(message_of({"#fff@x", "#fff@3"}),
-              "nacre: #fff@x: \"x\" is no angle; give COLOUR@ANGLE, as in \"#22cc66@0\"\n");
+              "nacre: #fff@x: \"x\" is not an angle; give COLOUR@ANGLE, as in \"#22cc66@0\"\n");
     EXPECT_NE(message_of({"#f0f@0", "#2c2@3", "--strict"})
                   .find("nacre: #f0f at 0 deg: the nearest band misses by CIEDE2000 "),
               std::string::npos);

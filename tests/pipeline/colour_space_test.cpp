@@ -115,7 +115,12 @@ constexpr const char* morpho =
     "    { angle_deg = 0, peak_nm = 460, width_nm = 70, height = 1 },\n"
     "    { angle_deg = 40, peak_nm = 395, width_nm = 60, height = 0.7 },\n]\n";
 
-BakedLut bake_with(const OpenColourSpaces& open_colours) {
+struct Baked {
+    BakedLut lut;
+    PixelFormat format;
+};
+
+Baked bake_with(const OpenColourSpaces& open_colours) {
     SceneRequest request;
     request.open_colours = open_colours;
     std::vector<LoadedScene> scenes;
@@ -123,12 +128,12 @@ BakedLut bake_with(const OpenColourSpaces& open_colours) {
     std::vector<DecidedLut> luts = undecided_luts(scenes);
     decide_all(luts, {});
     const LoadedScene& scene = scenes.front();
-    return bake_lut(luts.front().lut, scene.plan, scene.source, *scene.space);
+    return {bake_lut(luts.front().lut, scene.plan, scene.source, *scene.space), luts.front().lut.lut.format};
 }
 
 TEST(OwnColourSpaces, BakeALutWithoutOpenColorIo) {
-    const BakedLut own = bake_with(own_colour_spaces);
-    const BakedLut ocio = bake_with(open_ocio_spaces);
+    const BakedLut own = bake_with(own_colour_spaces).lut;
+    const BakedLut ocio = bake_with(open_ocio_spaces).lut;
     ASSERT_EQ(own.image.width(), ocio.image.width());
     // Half is rounded: a last digit of the matrix may turn a tie, by one step of half below 1.
     EXPECT_LE(largest_difference(own.image, ocio.image), 0.0005);
@@ -140,9 +145,9 @@ TEST(OwnColourSpaces, BakeALutWithoutOpenColorIo) {
 }
 
 TEST(OwnColourSpaces, MakeAFileThatVerifiesWithOpenColorIo) {
-    const BakedLut own = bake_with(own_colour_spaces);
+    const Baked own = bake_with(own_colour_spaces);
     const TemporaryFolder folder;
-    const std::string file = folder.file("morpho.exr", encode_lut(own.image, PixelFormat::half_float, own.header));
+    const std::string file = folder.file("morpho.exr", encode_lut(own.lut.image, own.format, own.lut.header));
     const Verification found = verify_lut(read_lut(file), ocio_space_of_text);
     EXPECT_TRUE(found.passed()) << found.problem;
 }

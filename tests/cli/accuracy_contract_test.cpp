@@ -1,5 +1,5 @@
 // The accuracy contract, judged by a second road: what `nacre bake --accuracy DE` writes is fetched as a shader would,
-// between texels too, and compared with tests/reference/dense_model.h, which shares no line with src/.
+// between texels too, and compared with tests/reference/model.h, which shares no line with src/.
 // NACRE_ACCURACY_SWEEP=0 takes the first of the random scenes only, so that it ends in seconds under sanitizers too.
 #include <OpenImageIO/imageio.h>
 #include <gtest/gtest.h>
@@ -19,18 +19,20 @@
 #include <utility>
 #include <vector>
 
-#include "reference/dense_model.h"
+#include "reference/lut.h"
+#include "reference/model.h"
+#include "reference/paper_scenes.h"
 #include "reference/random_scenes.h"
 #include "support/program.h"
 
 namespace nacre::test {
 namespace {
 
-using reference::DenseModel;
 using reference::Density;
 using reference::FixedLut;
+using reference::Model;
+using reference::ModelScene;
 using reference::Pixels;
-using reference::SceneModel;
 using reference::StoredAs;
 
 // What the manifest calls things; everything about accuracy lies in one object.
@@ -60,35 +62,12 @@ bool is_sweep() {
 
 // ---- Scenes ----
 
-SceneModel morpho() {
-    SceneModel scene;
-    scene.name = "morpho";
-    scene.picks = {{0, 460, 70, 1.0}, {40, 395, 60, 0.7}};
-    scene.shape = 0.26;
-    return scene;
-}
-
-SceneModel morpho_width() {
-    SceneModel scene = morpho();
-    scene.name = "morpho_width";
-    scene.y = {"width_nm", 20, 200};
-    return scene;
-}
-
-SceneModel beetle() {
-    SceneModel scene;
-    scene.name = "beetle";
-    scene.picks = {{10, 530, 110, 0.73}, {60, 460, 110, 1.0}};
-    scene.shape = 0.91;
-    return scene;
-}
-
 // The first ones and two whose second axis needs texels; all of them in a sweep.
-std::vector<SceneModel> scenes_for(double budget) {
+std::vector<ModelScene> scenes_for(double budget) {
     constexpr std::array early_pair{119, 139};
-    std::vector<SceneModel> chosen;
+    std::vector<ModelScene> chosen;
     int index = 0;
-    for (const SceneModel& scene : reference::random_scenes()) {
+    for (const ModelScene& scene : reference::random_palettes()) {
         const bool early = index < 22 || std::find(early_pair.begin(), early_pair.end(), index) != early_pair.end();
         ++index;
         if (!is_sweep() && !early) continue;
@@ -148,19 +127,23 @@ Density density_for(const Pixels& lut) {
     return density;
 }
 
-bool would_do(const DenseModel& model, int width, int height, StoredAs format, double budget) {
-    const Pixels lut = reference::make_lut(model, width, height, format);
+reference::ColourAt colours_of(const Model& model) {
+    return [&model](double x, double y) { return model.at(x, y); };
+}
+
+bool would_do(const Model& model, int width, int height, StoredAs format, double budget) {
+    const Pixels lut = reference::make_lut(colours_of(model), width, height, format);
     Density density = density_for(lut);
     density.enough = budget;
-    if (reference::dense_error(lut, model, density) > budget) return false;
+    if (reference::dense_error(lut, colours_of(model), density) > budget) return false;
     if (height == 1) return true;
     // Some cells of a LUT with two axes kept the budget: look at all before the program is accused.
     density.most_points = Density{}.most_points;
-    return reference::dense_error(lut, model, density) <= budget;
+    return reference::dense_error(lut, colours_of(model), density) <= budget;
 }
 
 // Within a factor of two of the fewest texels: a quarter of them must not do, however it is shaped.
-void expect_quarter_is_too_small(const DenseModel& model, const WrittenLut& lut, double budget) {
+void expect_quarter_is_too_small(const Model& model, const WrittenLut& lut, double budget) {
     const int width = lut.pixels.width, height = lut.pixels.height;
     std::vector<std::pair<int, int>> quarters{{width / 4, height}};
     if (height > 1) quarters.insert(quarters.end(), {{width / 2, height / 2}, {width, height / 4}});
@@ -171,9 +154,9 @@ void expect_quarter_is_too_small(const DenseModel& model, const WrittenLut& lut,
     }
 }
 
-void expect_refusal_is_right(const SceneModel& scene, double budget) {
+void expect_refusal_is_right(const ModelScene& scene, double budget) {
     if (scene.y) return;  // 4096 x 4096 texels to show it
-    EXPECT_FALSE(would_do(DenseModel(scene), largest_size, 1, StoredAs::single_float, beyond_doubt * budget))
+    EXPECT_FALSE(would_do(Model(scene), largest_size, 1, StoredAs::single_float, beyond_doubt * budget))
         << "refused, but " << largest_size << " texels of float keep the budget";
 }
 
@@ -199,7 +182,7 @@ void expect_manifest_describes(const nlohmann::json& manifest, const WrittenLut&
 }
 
 // Measured and predicted error of one LUT against the contract. A LUT that is not there was refused.
-Verdict judge(const std::filesystem::path& folder, const SceneModel& scene, double budget) {
+Verdict judge(const std::filesystem::path& folder, const ModelScene& scene, double budget) {
     SCOPED_TRACE("budget " + std::to_string(budget) + "\n" + reference::scene_text(scene));
     Verdict verdict;
     verdict.name = scene.name;
@@ -217,8 +200,8 @@ Verdict judge(const std::filesystem::path& folder, const SceneModel& scene, doub
     verdict.is_float = lut->format == StoredAs::single_float;
     verdict.texels = lut->pixels.rgb.size();
 
-    const DenseModel model(scene);
-    verdict.measured = reference::dense_error(lut->pixels, model, density_for(lut->pixels));
+    const Model model(scene);
+    verdict.measured = reference::dense_error(lut->pixels, colours_of(model), density_for(lut->pixels));
     if (verdict.is_refused) {
         expect_refusal_is_right(scene, budget);
         return verdict;
@@ -280,18 +263,18 @@ std::string text_of(double number) {
 
 // Bakes files into out/ and judges every scene of theirs.
 void bake_and_judge(const TemporaryFolder& folder, const std::vector<std::string>& files,
-                    const std::vector<SceneModel>& scenes, double budget) {
+                    const std::vector<ModelScene>& scenes, double budget) {
     std::vector<std::string> arguments{"bake"};
     arguments.insert(arguments.end(), files.begin(), files.end());
     arguments.insert(arguments.end(), {"-o", "out", "--accuracy", text_of(budget), "--best-effort", "--quiet"});
-    for (const SceneModel& scene : scenes) arguments.insert(arguments.end(), {"--only", scene.name});
+    for (const ModelScene& scene : scenes) arguments.insert(arguments.end(), {"--only", scene.name});
     const auto start = std::chrono::steady_clock::now();
     const ProgramResult result = run_nacre(arguments, {folder.path(), {}, {}, {}});
     const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
     ASSERT_TRUE(result.exit_code == 0 || result.exit_code == 4) << result.exit_code << ": " << result.err;
 
     std::vector<Verdict> verdicts;
-    for (const SceneModel& scene : scenes) verdicts.push_back(judge(folder.path() / "out", scene, budget));
+    for (const ModelScene& scene : scenes) verdicts.push_back(judge(folder.path() / "out", scene, budget));
     print_summary(budget, verdicts, elapsed.count());
     if (result.exit_code == 4) {
         EXPECT_TRUE(std::any_of(verdicts.begin(), verdicts.end(), [](const Verdict& v) { return v.is_refused; }))
@@ -301,21 +284,22 @@ void bake_and_judge(const TemporaryFolder& folder, const std::vector<std::string
 
 // ---- The judge is judged first ----
 
-TEST(DenseModel, TexelsOfAFixedSizeAreWhatItSays) {
+TEST(ReferencePalette, TexelsOfAFixedSizeAreWhatItSays) {
     const TemporaryFolder folder;
     std::vector<std::string> arguments{"bake"};
-    std::vector<SceneModel> scenes = scenes_for(1.0);
-    for (const SceneModel& scene : scenes) {
+    std::vector<ModelScene> scenes = scenes_for(1.0);
+    for (const ModelScene& scene : scenes) {
         const FixedLut fixed{32, scene.y ? 8 : 1, StoredAs::single_float};
         arguments.push_back(folder.file(scene.name + ".toml", reference::scene_text(scene, fixed)));
     }
     arguments.insert(arguments.end(), {"-o", "out"});
     const ProgramResult result = run_nacre(arguments, {folder.path(), {}, {}, {}});
     ASSERT_EQ(result.exit_code, 0) << result.err;
-    for (const SceneModel& scene : scenes) {
+    for (const ModelScene& scene : scenes) {
         const auto written = read_exr(folder.path() / "out" / (scene.name + ".exr"));
         ASSERT_TRUE(written) << scene.name;
-        const Pixels own = reference::make_lut(DenseModel(scene), 32, scene.y ? 8 : 1, StoredAs::single_float);
+        const Model model(scene);
+        const Pixels own = reference::make_lut(colours_of(model), 32, scene.y ? 8 : 1, StoredAs::single_float);
         ASSERT_EQ(written->pixels.rgb.size(), own.rgb.size()) << scene.name;
         // Single precision, and the fast integral.
         for (std::size_t i = 0; i < own.rgb.size(); ++i)
@@ -324,16 +308,18 @@ TEST(DenseModel, TexelsOfAFixedSizeAreWhatItSays) {
     }
 }
 
-TEST(DenseModel, LinearFilterErrsWithTheSquareOfTheStep) {
+TEST(ReferencePalette, LinearFilterErrsWithTheSquareOfTheStep) {
     // Measured in files: a fetch that were half a texel off would err with the step itself.
     const TemporaryFolder folder;
+    const Model model(reference::paper_morpho());
     std::vector<double> errors;
     for (const int width : {256, 512}) {
-        folder.file("s.toml", reference::scene_text(morpho(), FixedLut{width, 1, StoredAs::single_float}));
+        folder.file("s.toml",
+                    reference::scene_text(reference::paper_morpho(), FixedLut{width, 1, StoredAs::single_float}));
         ASSERT_EQ(run_nacre({"bake", "s.toml", "-o", "out"}, {folder.path(), {}, {}, {}}).exit_code, 0);
         const auto lut = read_exr(folder.path() / "out/morpho.exr");
         ASSERT_TRUE(lut);
-        errors.push_back(reference::dense_error(lut->pixels, morpho(), 10));
+        errors.push_back(reference::dense_error(lut->pixels, colours_of(model), {}));
     }
     EXPECT_NEAR(errors[0] / errors[1], 4.0, 0.2);
 }
@@ -344,9 +330,9 @@ class AccuracyContract : public testing::TestWithParam<double> {};
 
 TEST_P(AccuracyContract, NoFetchIsFartherFromTheModelThanWasAsked) {
     const TemporaryFolder folder;
-    const std::vector<SceneModel> scenes = scenes_for(GetParam());
+    const std::vector<ModelScene> scenes = scenes_for(GetParam());
     std::vector<std::string> files;
-    for (const SceneModel& scene : scenes)
+    for (const ModelScene& scene : scenes)
         files.push_back(folder.file(scene.name + ".toml", reference::scene_text(scene)));
     bake_and_judge(folder, files, scenes, GetParam());
 }
@@ -355,8 +341,8 @@ TEST_P(AccuracyContract, HoldsForTheScenesThatShip) {
     const TemporaryFolder folder;
     const std::vector<std::string> files{folder.file("morpho.toml", shipped_text("morpho")),
                                          folder.file("beetle.toml", shipped_text("beetle"))};
-    std::vector<SceneModel> scenes{morpho(), beetle()};
-    if (GetParam() >= smallest_budget_of_two_axes) scenes.push_back(morpho_width());
+    std::vector<ModelScene> scenes{reference::paper_morpho(), reference::paper_beetle()};
+    if (GetParam() >= smallest_budget_of_two_axes) scenes.push_back(reference::paper_morpho_width());
     bake_and_judge(folder, files, scenes, GetParam());
 }
 
@@ -371,7 +357,7 @@ INSTANTIATE_TEST_SUITE_P(Budgets, AccuracyContract, testing::Values(2.0, 1.0, 0.
 TEST(AccuracyContractRefusal, UnreachableBudgetExitsWith4AndWritesNothingUnlessBestEffortIsAsked) {
     // A hundredth of what 4096 texels can do.
     const TemporaryFolder folder;
-    folder.file("s.toml", reference::scene_text(morpho()) + "[lut.other]\nmaterial = \"morpho\"\n");
+    folder.file("s.toml", reference::scene_text(reference::paper_morpho()) + "[lut.other]\nmaterial = \"morpho\"\n");
     const std::vector<std::string> arguments{"bake", "s.toml", "-o", "out", "--accuracy", "0.00001"};
     const ProgramResult result = run_nacre(arguments, {folder.path(), {}, {}, {}});
     EXPECT_EQ(result.exit_code, 4) << result.err;

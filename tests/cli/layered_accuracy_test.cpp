@@ -1,15 +1,13 @@
 // The accuracy contract of films and stacks, judged by a second road: what `nacre bake --accuracy DE` writes is fetched
-// as a shader would, between texels too, and compared with tests/reference/dense_layers.h, which shares no line with
+// as a shader would, between texels too, and compared with tests/reference/model.h, which shares no line with
 // src/. NACRE_LAYERED_SWEEP=1 takes all 200 random scenes, NACRE_LAYERED_SWEEP=0 a few, so that sanitizers end in
 // seconds.
 #include <OpenImageIO/imageio.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <array>
 #include <chrono>
 #include <cmath>
-#include <complex>
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
@@ -22,20 +20,16 @@
 #include <string>
 #include <vector>
 
-#include "reference/dense_layers.h"
-#include "reference/dense_model.h"
-#include "reference/random_layers.h"
+#include "reference/lut.h"
+#include "reference/model.h"
+#include "reference/random_scenes.h"
 #include "support/program.h"
 
 namespace nacre::test {
 namespace {
 
-using reference::BoundedLayers;
-using reference::DenseLayers;
-using reference::LayersModel;
-using reference::ModelLab;
-using reference::ModelRgb;
-using reference::ModelXyz;
+using reference::Model;
+using reference::ModelScene;
 using reference::Pixels;
 
 // The program measures at fewer points than all: a random one may err more than the worst that it met, by a little.
@@ -46,15 +40,15 @@ constexpr double judges_share = 0.02;
 // Films beyond it take the program ten seconds each: they are for the sweep.
 constexpr double thickest_of_normal_run_nm = 20000.0;
 
-std::vector<BoundedLayers> scenes_of_this_run() {
-    std::vector<BoundedLayers> all = reference::random_layers();
+bool is_too_thick(const ModelScene& scene) {
+    const auto* film = std::get_if<Film>(&scene.mechanism);
+    return film != nullptr && film->thickness_nm > thickest_of_normal_run_nm;
+}
+
+std::vector<ModelScene> scenes_of_this_run() {
+    std::vector<ModelScene> all = reference::random_layers();
     const char* sweep = std::getenv("NACRE_LAYERED_SWEEP");
     if (sweep != nullptr && std::string(sweep) == "1") return all;
-    const auto is_too_thick = [](const BoundedLayers& scene) {
-        return std::any_of(
-            scene.model.layers.begin(), scene.model.layers.end(),
-            [](const reference::ModelLayer& layer) { return layer.thickness_nm > thickest_of_normal_run_nm; });
-    };
     all.erase(std::remove_if(all.begin(), all.end(), is_too_thick), all.end());
     all.resize(sweep != nullptr && std::string(sweep) == "0" ? 6 : 24);
     return all;
@@ -82,43 +76,6 @@ std::optional<WrittenLut> read_exr(const std::filesystem::path& path) {
     return lut;
 }
 
-// ---- A shader's fetch: texel centres, linear filter, clamped ----
-
-struct Tap {
-    int low = 0, high = 0;
-    double share = 0.0;  // of the high one
-};
-
-Tap tap_at(double coordinate, int size) {
-    const double texcoord = (coordinate * (size - 1) + 0.5) / size;
-    const double position = texcoord * size - 0.5;
-    const double low = std::floor(position);
-    const auto clamped = [&](double texel) { return static_cast<int>(std::clamp(texel, 0.0, size - 1.0)); };
-    return {clamped(low), clamped(low + 1.0), position - low};
-}
-
-ModelRgb fetch(const Pixels& lut, double x, double y) {
-    const Tap across = tap_at(x, lut.width), down = tap_at(y, lut.height);
-    ModelRgb rgb{};
-    for (std::size_t c = 0; c < 3; ++c) {
-        const auto row = [&](int r) {
-            return (1.0 - across.share) * lut.at(across.low, r)[c] + across.share * lut.at(across.high, r)[c];
-        };
-        rgb[c] = (1.0 - down.share) * row(down.low) + down.share * row(down.high);
-    }
-    return rgb;
-}
-
-double scale_of(const Pixels& lut) {
-    double brightest = 0.0;
-    for (const ModelRgb& rgb : lut.rgb) brightest = std::max(brightest, reference::from_rec709(rgb).y);
-    return brightest > 0.0 ? 1.0 / brightest : 1.0;
-}
-
-ModelLab scaled_lab(const ModelXyz& colour, double scale) {
-    return reference::lab_of({scale * colour.x, scale * colour.y, scale * colour.z});
-}
-
 // ---- The judge ----
 
 struct Point {
@@ -127,10 +84,11 @@ struct Point {
 
 class Judge {
 public:
-    Judge(const WrittenLut& lut, const BoundedLayers& scene)
-        : lut_(lut.pixels), model_(scene.model), scale_(scale_of(lut.pixels)) {
-        tolerance_ = 0.5 * judges_share * scene.max_de00;
-    }
+    Judge(const WrittenLut& lut, const ModelScene& scene)
+        : lut_(lut.pixels),
+          scale_(scale_of(lut.pixels)),
+          model_(scene, 0.5 * judges_share * scene.max_de00, scale_),
+          critical_(critical_coordinates(scene)) {}
 
     // Random coordinates, a third of them towards grazing; the cells in which total reflection begins; and then the
     // neighbourhood of the worst.
@@ -155,23 +113,19 @@ public:
         return worst;
     }
 
-    std::size_t unsettled() const { return model_.unsettled(); }
+    std::size_t unconverged() const { return model_.unconverged(); }
 
 private:
     // At most so many, spread evenly.
     std::vector<double> critical() const {
         constexpr std::size_t most = 6;
-        std::vector<double> all = model_.critical_coordinates();
+        const std::vector<double>& all = critical_;
         if (all.size() <= most) return all;
         std::vector<double> some;
         for (std::size_t i = 0; i < most; ++i) some.push_back(all[i * (all.size() - 1) / (most - 1)]);
         return some;
     }
-    Point look(double x, double y) const {
-        const ModelLab fetched = scaled_lab(reference::from_rec709(fetch(lut_, x, y)), scale_);
-        const ModelLab exact = scaled_lab(model_.at(x, y, tolerance_, scale_), scale_);
-        return {x, y, reference::ciede2000(fetched, exact)};
-    }
+    Point look(double x, double y) const { return {x, y, reference::error_at(lut_, scale_, x, y, model_.at(x, y))}; }
     // Weyl's sequence of the golden ratio's relatives would hit texels in step: a plain generator (Knuth, MMIX) does
     // not.
     double random() {
@@ -180,20 +134,21 @@ private:
     }
 
     const Pixels& lut_;
-    DenseLayers model_;
-    double scale_ = 1.0, tolerance_ = 0.0;
+    double scale_ = 1.0;
+    Model model_;
+    std::vector<double> critical_;
     std::uint64_t state_ = 20260;
 };
 
 struct Tally {
-    std::size_t luts = 0, refused = 0, violations = 0, unsettled = 0;
+    std::size_t luts = 0, refused = 0, violations = 0, unconverged = 0;
     double worst_share = 0.0, worst_of_reached = 0.0;
     std::string worst_name, worst_of_reached_name;
 };
 
-void judge(const std::filesystem::path& folder, const BoundedLayers& scene, Tally& tally) {
-    const std::string& name = scene.model.name;
-    SCOPED_TRACE("max_de00 " + std::to_string(scene.max_de00) + "\n" + reference::scene_text(scene.model));
+void judge(const std::filesystem::path& folder, const ModelScene& scene, Tally& tally) {
+    const std::string& name = scene.name;
+    SCOPED_TRACE("max_de00 " + std::to_string(scene.max_de00) + "\n" + reference::scene_text(scene));
     const auto lut = read_exr(folder / (name + ".exr"));
     ASSERT_TRUE(lut) << name << " was not written";
     ASSERT_GE(lut->reached, 0.0) << "the header has no nacre:accuracyReached";
@@ -201,14 +156,14 @@ void judge(const std::filesystem::path& folder, const BoundedLayers& scene, Tall
     constexpr double operations = 6e6;  // about a third of a second
     Judge judge(*lut, scene);
     const Point worst = judge.worst(operations);
-    tally.unsettled += judge.unsettled();
+    tally.unconverged += judge.unconverged();
     const bool is_refused = lut->reached > scene.max_de00;
     tally.refused += is_refused ? 1 : 0;
     const double slack = judges_share * scene.max_de00;
     std::ostringstream what;
     what << name << ": " << worst.error << " of " << scene.max_de00 << ", reached " << lut->reached << " at ("
          << worst.x << ", " << worst.y << "), " << lut->pixels.width << " x " << lut->pixels.height
-         << (lut->is_half ? " half" : " float") << ", " << judge.unsettled() << " points unsettled";
+         << (lut->is_half ? " half" : " float") << ", " << judge.unconverged() << " points unconverged";
     if (!is_refused) {
         EXPECT_LE(worst.error, scene.max_de00 + slack) << what.str();
     }
@@ -225,18 +180,15 @@ void judge(const std::filesystem::path& folder, const BoundedLayers& scene, Tall
     if (of_reached > tally.worst_of_reached) tally.worst_of_reached = of_reached, tally.worst_of_reached_name = name;
 }
 
-// ---- The judge is judged first ----
-
-TEST(DenseLayers, GivesTheSpectrumThatTheProgramPrints) {
+TEST(ReferenceLayers, GiveTheSpectrumThatTheProgramPrints) {
     const TemporaryFolder folder;
     const auto scenes = reference::random_layers();
     for (std::size_t i = 0; i < 60; i += 5) {
-        const LayersModel& model = scenes[i].model;
-        folder.file("s.toml", reference::scene_text(model));
+        const ModelScene& scene = scenes[i];
+        folder.file("s.toml", reference::scene_text(scene));
         const ProgramResult result =
-            run_nacre({"spectrum", "s.toml", "--material", model.name, "--angle", "50"}, {folder.path(), {}, {}, {}});
+            run_nacre({"spectrum", "s.toml", "--material", scene.name, "--angle", "50"}, {folder.path(), {}, {}, {}});
         ASSERT_EQ(result.exit_code, 0) << result.err;
-        const DenseLayers dense(model);
         std::istringstream lines(result.out);
         std::string line;
         std::getline(lines, line);
@@ -246,9 +198,10 @@ TEST(DenseLayers, GivesTheSpectrumThatTheProgramPrints) {
             double nm = 0.0, reflectance = 0.0;
             ASSERT_EQ(std::sscanf(line.c_str(), "%*[^,],%*[^,],%lf,%*[^,],%*[^,],%lf", &nm, &reflectance), 2) << line;
             // Tables of k have digits, formulas none: 5e-5 of melanin's k is some 1e-6 here.
-            ASSERT_NEAR(dense.reflectance(std::cos(std::numbers::pi * 50.0 / 180.0), nm), reflectance, 1e-5)
+            ASSERT_NEAR(reference::reflectance(scene.mechanism, std::cos(std::numbers::pi * 50.0 / 180.0), nm),
+                        reflectance, 1e-5)
                 << nm << "\n"
-                << reference::scene_text(model);
+                << reference::scene_text(scene);
             ++compared;
         }
         EXPECT_EQ(compared, 471u);
@@ -259,11 +212,11 @@ TEST(DenseLayers, GivesTheSpectrumThatTheProgramPrints) {
 
 TEST(LayeredAccuracyContract, NoFetchIsFartherFromTheModelThanWasAsked) {
     const TemporaryFolder folder;
-    const std::vector<BoundedLayers> scenes = scenes_of_this_run();
+    const std::vector<ModelScene> scenes = scenes_of_this_run();
     std::map<double, std::vector<std::string>> files;
-    for (const BoundedLayers& scene : scenes) {
-        const std::string& name = scene.model.name;
-        files[scene.max_de00].push_back(folder.file(name + ".toml", reference::scene_text(scene.model)));
+    for (const ModelScene& scene : scenes) {
+        const std::string& name = scene.name;
+        files[scene.max_de00].push_back(folder.file(name + ".toml", reference::scene_text(scene)));
     }
     const auto start = std::chrono::steady_clock::now();
     for (const auto& [bound, of_bound] : files) {
@@ -277,13 +230,13 @@ TEST(LayeredAccuracyContract, NoFetchIsFartherFromTheModelThanWasAsked) {
     const std::chrono::duration<double> baked = std::chrono::steady_clock::now() - start;
 
     std::map<double, Tally> tallies;
-    for (const BoundedLayers& scene : scenes) judge(folder.path() / "out", scene, tallies[scene.max_de00]);
+    for (const ModelScene& scene : scenes) judge(folder.path() / "out", scene, tallies[scene.max_de00]);
     const std::chrono::duration<double> all = std::chrono::steady_clock::now() - start;
     for (const auto& [bound, tally] : tallies) {
         std::cout << "[ ACCURACY ] DE " << bound << ": " << tally.luts << " LUTs, " << tally.refused << " refused, "
                   << tally.violations << " wrong; measured/budget up to " << tally.worst_share << " ("
                   << tally.worst_name << "); measured/reached up to " << tally.worst_of_reached << " ("
-                  << tally.worst_of_reached_name << "); " << tally.unsettled << " points unsettled\n";
+                  << tally.worst_of_reached_name << "); " << tally.unconverged << " points unconverged\n";
     }
     std::cout << "[ ACCURACY ] baked in " << baked.count() << " s, judged in " << (all - baked).count() << " s"
               << std::endl;

@@ -23,7 +23,7 @@
 #include "nacre/pick/near_materials.h"
 #include "nacre/pick/search_rows.h"
 #include "pipeline/picked_colours.h"
-#include "reference/effects_model.h"
+#include "reference/model.h"
 #include "reference/number.h"
 
 // Picks of films, stacks, gratings and crystals, from a scene to what was found; what was found is judged by a model
@@ -133,7 +133,7 @@ double default_coordinate(const Mechanism& mechanism, double angle_deg) {
 
 reference::ModelXyz modelled(const Mechanism& mechanism, double angle_deg) {
     constexpr double tolerance = 1e-3;
-    return reference::EffectsModel(mechanism, "D65", 2, tolerance).at(default_coordinate(mechanism, angle_deg));
+    return reference::Model({"", mechanism}, tolerance).at(default_coordinate(mechanism, angle_deg));
 }
 
 double difference(const reference::ModelXyz& one, const reference::ModelXyz& other) {

@@ -1,6 +1,6 @@
 // What `effects = "auto"` leaves out, and what is left of the bound with it: 300 random scenes, each planned with a
 // bound, are compared with and without every effect that was dropped, and finished LUTs are fetched as a shader would
-// and held against tests/reference/effects_model.h, which calls nothing of src/. NACRE_EFFECTS_SWEEP=1 lets that model
+// and held against tests/reference/model.h, which calls nothing of src/. NACRE_EFFECTS_SWEEP=1 lets that model
 // judge all scenes, NACRE_EFFECTS_SWEEP=0 a few, so that sanitizers end in seconds.
 #include <gtest/gtest.h>
 
@@ -29,18 +29,17 @@
 #include "nacre/lut/planned_lut.h"
 #include "nacre/material/effects.h"
 #include "nacre/shade/integral.h"
-#include "reference/dense_layers.h"
-#include "reference/dense_model.h"
-#include "reference/effects_model.h"
-#include "reference/random_effect_scenes.h"
+#include "reference/lut.h"
+#include "reference/materials.h"
+#include "reference/model.h"
+#include "reference/random_scenes.h"
 #include "support/test_encoding.h"
 
 namespace nacre::test {
 namespace {
 
-using reference::EffectScene;
-using reference::EffectsModel;
-using reference::ModelLab;
+using reference::Model;
+using reference::ModelScene;
 using reference::ModelXyz;
 
 // What the judge's own sums may err by, of a bound: each of the model's is asked for a quarter of it.
@@ -70,7 +69,7 @@ std::shared_ptr<const Light> light_of(const std::string& illuminant, int observe
     return light;
 }
 
-PlannedLut planned(const EffectScene& scene) {
+PlannedLut planned(const ModelScene& scene) {
     PlannedLut lut;
     lut.name = scene.name;
     lut.job.material = {scene.name, scene.mechanism, {}};
@@ -80,8 +79,8 @@ PlannedLut planned(const EffectScene& scene) {
     return lut;
 }
 
-const std::vector<EffectScene>& scenes() {
-    static const std::vector<EffectScene> all = reference::random_effect_scenes();
+const std::vector<ModelScene>& scenes() {
+    static const std::vector<ModelScene> all = reference::random_effects();
     return all;
 }
 
@@ -103,10 +102,6 @@ std::string names_of(const EffectSet& effects) {
 
 // ---- Differences ----
 
-ModelLab scaled_lab(const ModelXyz& colour, double scale) {
-    return reference::lab_of({scale * colour.x, scale * colour.y, scale * colour.z});
-}
-
 struct Largest {
     double de00 = 0.0;
     double x = 0.0;
@@ -119,8 +114,7 @@ Largest largest_difference(const std::vector<ModelXyz>& with, const std::vector<
     Largest largest;
     if (!(brightest > 0.0)) return largest;
     for (std::size_t i = 0; i < with.size(); ++i) {
-        const double de00 =
-            reference::ciede2000(scaled_lab(with[i], 1.0 / brightest), scaled_lab(without[i], 1.0 / brightest));
+        const double de00 = reference::difference(with[i], without[i], 1.0 / brightest);
         if (de00 > largest.de00) largest = {de00, static_cast<double>(i) / static_cast<double>(with.size() - 1)};
     }
     return largest;
@@ -147,11 +141,11 @@ std::vector<ModelXyz> program_colours(const Job& settled, const EffectSet& witho
 }
 
 // The same by the model, at fewer points: one takes milliseconds.
-std::vector<ModelXyz> model_colours(const EffectScene& scene, const EffectSet& without, double first_nm) {
+std::vector<ModelXyz> model_colours(const ModelScene& scene, const EffectSet& without, double first_nm) {
     constexpr int points = 33;
-    Mechanism mechanism = scene.mechanism;
-    remove(without, mechanism, first_nm);
-    const EffectsModel model(mechanism, scene.illuminant, scene.observer_deg, 1e-3 * scene.max_de00);
+    ModelScene bare = scene;
+    remove(without, bare.mechanism, first_nm);
+    const Model model(bare, 1e-3 * scene.max_de00);
     std::vector<ModelXyz> colours;
     for (int i = 0; i < points; ++i) colours.push_back(model.at(static_cast<double>(i) / (points - 1)));
     return colours;
@@ -167,7 +161,7 @@ struct Dropped {
 
 // @param colours  all along the LUT, without the effects that it is called with
 template <class Colours>
-void expect_shares_kept(const EffectScene& scene, const SettledLut& settled, const Colours& colours, Dropped& tally) {
+void expect_shares_kept(const ModelScene& scene, const SettledLut& settled, const Colours& colours, Dropped& tally) {
     const auto named = static_cast<double>(settled.effects.size());
     const double share = share_of_effects * scene.max_de00 / named;
     if (settled.lut.job.without.is_empty()) {
@@ -240,45 +234,39 @@ constexpr double rad_per_deg = std::numbers::pi / 180.0;
 
 // ---- The bound ----
 
-// A shader's fetch: texel centres, linear filter, clamped.
-ModelXyz fetched(const Image<Rgb>& lut, double x) {
-    const double place = x * (lut.width() - 1);
-    const int low = std::min(static_cast<int>(place), lut.width() - 2);
-    const double share = place - low;
-    const Rgb &a = lut.at(low, 0), &b = lut.at(low + 1, 0);
-    return reference::from_rec709(
-        {(1.0 - share) * a.r + share * b.r, (1.0 - share) * a.g + share * b.g, (1.0 - share) * a.b + share * b.b});
+reference::Pixels pixels_of(const Image<Rgb>& lut) {
+    reference::Pixels pixels{lut.width(), lut.height(), {}};
+    for (const Rgb& texel : lut) pixels.rgb.push_back({texel.r, texel.g, texel.b});
+    return pixels;
 }
 
 struct Judged {
-    std::size_t luts = 0, missed = 0, violations = 0, unsettled = 0;
+    std::size_t luts = 0, missed = 0, violations = 0, unconverged = 0;
     double worst_share = 0.0;
     std::string worst_name;
 };
 
 // @param points  at which the LUT is looked at: ends, and middles and other parts of texels all along
-void expect_bound_kept(const EffectScene& scene, const SettledLut& settled, int points, Judged& tally) {
-    const Image<Rgb> lut = stored_as(rec709_encoding().to_rgb(bake(settled.lut.job)), settled.lut.format);
-    double brightest = 0.0;
-    for (const Rgb& texel : lut) brightest = std::max(brightest, reference::from_rec709({texel.r, texel.g, texel.b}).y);
-    const double scale = brightest > 0.0 ? 1.0 / brightest : 1.0;
-    const EffectsModel model(scene.mechanism, scene.illuminant, scene.observer_deg,
-                             0.25 * judges_share * scene.max_de00);
+void expect_bound_kept(const ModelScene& scene, const SettledLut& settled, int points, Judged& tally) {
+    const reference::Pixels lut =
+        pixels_of(stored_as(rec709_encoding().to_rgb(bake(settled.lut.job)), settled.lut.format));
+    const double scale = reference::scale_of(lut);
+    const Model model(scene, 0.25 * judges_share * scene.max_de00);
     Largest worst;
     for (int i = 0; i <= points; ++i) {
         // Multiples of the golden ratio's part: within texels they fall everywhere.
         const double part = std::fmod((i + 1) * std::numbers::phi, 1.0);
         const double x = i == 0 ? 0.0 : i == points ? 1.0 : (i - 1 + part) / (points - 1);
-        const double de00 = reference::ciede2000(scaled_lab(fetched(lut, x), scale), scaled_lab(model.at(x), scale));
+        const double de00 = reference::error_at(lut, scale, x, 0.0, model.at(x));
         if (!(de00 <= worst.de00)) worst = {de00, x};
     }
     std::ostringstream what;
     what << scene.name << " (" << mechanism_name(scene.mechanism) << ") " << worst.de00 << " of " << scene.max_de00
-         << " at " << worst.x << ", predicted " << settled.predicted.total << ", " << lut.width() << " texels, without "
-         << names_of(settled.lut.job.without) << ", " << model.unsettled() << " points unsettled";
+         << " at " << worst.x << ", predicted " << settled.predicted.total << ", " << lut.width << " texels, without "
+         << names_of(settled.lut.job.without) << ", " << model.unconverged() << " points unconverged";
     if (std::getenv("NACRE_ACCURACY_VERBOSE") != nullptr) std::cout << what.str() << "\n";
     ++tally.luts;
-    tally.unsettled += model.unsettled();
+    tally.unconverged += model.unconverged();
     // What misses its bound says so; what it says still counts.
     const double allowed = std::max(scene.max_de00, settled.is_reached ? 0.0 : settled.predicted.total);
     tally.missed += settled.is_reached ? 0 : 1;
@@ -292,25 +280,7 @@ void expect_bound_kept(const EffectScene& scene, const SettledLut& settled, int 
 void print(const char* what, const Judged& tally) {
     std::cout << "[ EFFECTS  ] " << what << ": " << tally.luts << " LUTs, " << tally.missed
               << " that miss their bound, " << tally.violations << " wrong; measured/bound up to " << tally.worst_share
-              << " (" << tally.worst_name << "); " << tally.unsettled << " points unsettled" << std::endl;
-}
-
-Index tabulated(const char* material) {
-    IndexCurve curve;
-    curve.name = material;
-    SampledCurve n, k;
-    for (double nm = 360.0; nm <= 830.0; nm += 10.0) {
-        const std::complex<double> index = reference::material_index(material, nm);
-        n.wavelength_nm.push_back(nm);
-        n.value.push_back(index.real());
-        k.wavelength_nm.push_back(nm);
-        k.value.push_back(index.imag());
-    }
-    curve.n = n;
-    curve.k = k;
-    curve.first_nm = 360.0;
-    curve.last_nm = 830.0;
-    return Index(std::make_shared<const IndexCurve>(curve));
+              << " (" << tally.worst_name << "); " << tally.unconverged << " points unconverged" << std::endl;
 }
 
 Mechanism refined(Mechanism mechanism, const std::optional<Base>& base, double tilt_deg = 0.0) {
@@ -324,7 +294,7 @@ std::vector<std::pair<std::string, Mechanism>> gratings() {
     disc.period_nm = 1600.0;
     disc.grooves = 40;
     disc.depth_nm = 110.0;
-    disc.coat = tabulated("al");
+    disc.coat = reference::tabulated_index("al");
     Grating waves = disc;
     waves.profile = GratingProfile::sinusoidal;
     waves.period_nm = 740.0;
@@ -387,8 +357,8 @@ std::vector<std::pair<std::string, Mechanism>> bases() {
     const Film dark{1.0, RefractiveIndex(2.1, 0.03), 180.0, 1.5, 0.0};
     return {{"white", refined(clear, GreyBase{0.9})},
             {"coloured", refined(dark, RgbBase{{}, {6.0, -9.0, 2.0}})},
-            {"pigment", refined(clear, PigmentBase{tabulated("melanin"), 0.4, 0.1})},
-            {"metal", refined(clear, MetalBase{tabulated("au")})}};
+            {"pigment", refined(clear, PigmentBase{reference::tabulated_index("melanin"), 0.4, 0.1})},
+            {"metal", refined(clear, MetalBase{reference::tabulated_index("au")})}};
 }
 
 std::vector<std::pair<std::string, Mechanism>> tilts() {
@@ -432,7 +402,8 @@ TEST_P(Budgets, HoldAtOneAndATenthAndAFiftieth) {
     const Encoding encoding = rec709_encoding();
     for (const auto& [name, mechanism] : GetParam().mechanisms()) {
         for (const double bound : {1.0, 0.1, 0.02}) {
-            const EffectScene scene{name, mechanism, "D65", 2, bound};
+            ModelScene scene{name, mechanism};
+            scene.max_de00 = bound;
             expect_bound_kept(scene, settle(planned(scene), encoding), is_sweep("1") ? 64 : 12, tally);
         }
     }

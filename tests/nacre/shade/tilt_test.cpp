@@ -1,4 +1,4 @@
-// The mean over facets, against Monte Carlo and against an integral around the eye (tests/reference/effects_model.h).
+// The mean over facets, against Monte Carlo and against an integral around the eye (tests/reference/facets.h).
 #include "nacre/shade/tilt.h"
 
 #include <gtest/gtest.h>
@@ -12,7 +12,7 @@
 #include <random>
 #include <vector>
 
-#include "reference/effects_model.h"
+#include "reference/facets.h"
 
 namespace nacre {
 namespace {

@@ -1,64 +1,20 @@
-#include "reference/random_effect_scenes.h"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
-#include <cstdio>
 #include <memory>
+#include <utility>
 
-#include "reference/dense_layers.h"
+#include "reference/dice.h"
+#include "reference/materials.h"
+#include "reference/random_scenes.h"
 
 namespace nacre::reference {
 namespace {
 
-// SplitMix64 (Steele, Lea, Flood 2014): the same numbers with every compiler and library.
-class Dice {
-public:
-    explicit Dice(std::uint64_t seed) : state_(seed) {}
-
-    /// In [0, 1).
-    double unit() {
-        state_ += 0x9e3779b97f4a7c15U;
-        std::uint64_t z = state_;
-        z = (z ^ (z >> 30U)) * 0xbf58476d1ce4e5b9U;
-        z = (z ^ (z >> 27U)) * 0x94d049bb133111ebU;
-        return static_cast<double>((z ^ (z >> 31U)) >> 11U) * 0x1p-53;
-    }
-    double between(double low, double high) { return low + unit() * (high - low); }
-    /// Even in the logarithm.
-    double of_any_size(double low, double high) { return low * std::pow(high / low, unit()); }
-    int whole(int low, int high) { return low + static_cast<int>(unit() * (high - low + 1)); }
-    bool chance(double probability) { return unit() < probability; }
-
-private:
-    std::uint64_t state_;
-};
-
-SampledCurve table_of(const char* material, bool is_k) {
-    SampledCurve curve;
-    for (double nm = 360.0; nm <= 830.0; nm += 10.0) {
-        const auto index = material_index(material, nm);
-        curve.wavelength_nm.push_back(nm);
-        curve.value.push_back(is_k ? index.imag() : index.real());
-    }
-    return curve;
-}
-
-Index tabulated(const char* material) {
-    IndexCurve curve;
-    curve.name = material;
-    curve.n = table_of(material, false);
-    curve.k = table_of(material, true);
-    curve.first_nm = 360.0;
-    curve.last_nm = 830.0;
-    return Index(std::make_shared<const IndexCurve>(std::move(curve)));
-}
-
 Index random_metal(Dice& dice) {
     constexpr std::array<const char*, 4> metals{"ag", "au", "al", "cr"};
-    return tabulated(metals[static_cast<std::size_t>(dice.whole(0, 3))]);
+    return tabulated_index(metals[static_cast<std::size_t>(dice.whole(0, 3))]);
 }
 
 // n = A + B / L^2; flint glass has a B of some 1e-2 um^2.
@@ -78,9 +34,10 @@ Index random_glass(Dice& dice, double low = 1.3, double high = 2.4) {
 
 // From what a window takes to what a dye takes.
 Index random_layer(Dice& dice) {
-    if (dice.chance(0.05)) return tabulated("melanin");
+    if (dice.chance(0.05)) return tabulated_index("melanin");
     if (!dice.chance(0.35)) return random_glass(dice);
-    return RefractiveIndex(dice.between(1.3, 2.4), dice.of_any_size(1e-8, 0.3));
+    const double k = dice.of_any_size(1e-8, 0.3);
+    return RefractiveIndex(dice.between(1.3, 2.4), k);
 }
 
 Base random_base(Dice& dice) {
@@ -93,7 +50,7 @@ Base random_base(Dice& dice) {
             return SpectrumBase{{{360.0, 480.0, 520.0, 640.0, 830.0},
                                  {dice.unit(), dice.unit(), dice.unit(), dice.unit(), dice.unit()}}};
         case 3:
-            return PigmentBase{tabulated("melanin"), dice.of_any_size(0.01, 10.0), dice.between(0.01, 1.0)};
+            return PigmentBase{tabulated_index("melanin"), dice.of_any_size(0.01, 10.0), dice.between(0.01, 1.0)};
         default:
             return MetalBase{random_metal(dice)};
     }
@@ -114,7 +71,7 @@ Mechanism random_film(Dice& dice) {
     film.substrate = is_on_metal ? random_metal(dice) : dice.chance(0.25) ? Index(1.0) : random_glass(dice);
     if (dice.chance(0.35)) film.thickness_spread_nm = dice.of_any_size(0.01, 0.15 * film.thickness_nm);
     // A free film's fringes at grazing are too sharp for the judge's mean over thicknesses.
-    if (film.thickness_spread_nm > 0.0 && film.substrate == Index(1.0)) film.substrate = Index(1.5);
+    if (film.thickness_spread_nm > 0.0 && same(film.substrate, 1.0)) film.substrate = Index(1.5);
     Mechanism mechanism = film;
     refine_layers(dice, mechanism, !is_on_metal);
     return mechanism;
@@ -139,8 +96,10 @@ Mechanism random_stack(Dice& dice) {
     }
     const bool is_spread = dice.chance(0.3);
     const int most = is_spread ? 1 : 5;
-    for (int i = dice.whole(1, most); i > 0; --i)
-        stack.layers.push_back(layer_of(random_layer(dice), dice.between(30.0, 200.0)));
+    for (int i = dice.whole(1, most); i > 0; --i) {
+        const double thickness_nm = dice.between(30.0, 200.0);
+        stack.layers.push_back(layer_of(random_layer(dice), thickness_nm));
+    }
     const bool has_window =
         std::any_of(stack.layers.begin(), stack.layers.end(), [](const Layer& layer) { return layer.is_incoherent; });
     // What reflects totally above a window is beyond the judge.
@@ -157,7 +116,7 @@ Mechanism random_crystal(Dice& dice) {
     crystal.sphere = is_inverse ? Index(1.0) : random_glass(dice, 1.4, 1.7);
     crystal.medium = is_inverse ? random_glass(dice, 1.4, 2.2) : Index(dice.between(1.0, 1.35));
     if (dice.chance(0.3))
-        crystal.medium = RefractiveIndex(crystal.medium.at(555.0).real(), dice.of_any_size(1e-7, 0.02));
+        crystal.medium = RefractiveIndex(index_at(crystal.medium, 555.0).real(), dice.of_any_size(1e-7, 0.02));
     crystal.diameter_nm = dice.between(180.0, 300.0);
     crystal.planes = dice.whole(3, 12);
     crystal.substrate = random_glass(dice, 1.3, 1.6);
@@ -176,10 +135,10 @@ Mechanism random_scatter(Dice& dice) {
     scatter.medium = dice.between(1.3, 1.6);
     scatter.particle = dice.chance(0.3) ? Index(1.0) : random_glass(dice, 1.4, 2.2);
     if (dice.chance(0.4))
-        scatter.particle = RefractiveIndex(scatter.particle.at(555.0).real(), dice.of_any_size(1e-9, 0.1));
+        scatter.particle = RefractiveIndex(index_at(scatter.particle, 555.0).real(), dice.of_any_size(1e-9, 0.1));
     // Not the medium's own: then nothing is scattered.
-    const double contrast = scatter.particle.at(555.0).real() - scatter.medium.at(555.0).real();
-    if (std::abs(contrast) < 0.03) scatter.medium = scatter.medium.at(555.0).real() + 0.1;
+    const double contrast = index_at(scatter.particle, 555.0).real() - index_at(scatter.medium, 555.0).real();
+    if (std::abs(contrast) < 0.03) scatter.medium = index_at(scatter.medium, 555.0).real() + 0.1;
     scatter.volume_fraction = scatter.model == ScatterModel::quasi_ordered ? dice.between(0.1, 0.45) : 0.01;
     scatter.thickness_um = dice.of_any_size(0.3, 30.0);
     if (dice.chance(0.6)) scatter.radius_spread = dice.of_any_size(1e-4, 0.3);
@@ -220,13 +179,11 @@ Mechanism random_palette(Dice& dice) {
     return mechanism;
 }
 
-EffectScene random_one(int index) {
+ModelScene random_one(int index) {
     constexpr std::array<double, 3> bounds{1.0, 0.3, 0.1};
     Dice dice(0x656666656374ULL * 1000 + static_cast<std::uint64_t>(index));
-    EffectScene scene;
-    std::array<char, 16> name{};
-    std::snprintf(name.data(), name.size(), "e%03d", index);
-    scene.name = name.data();
+    ModelScene scene;
+    scene.name = numbered('e', index);
     const double kind = dice.unit();
     scene.mechanism = kind < 0.4    ? random_film(dice)
                       : kind < 0.6  ? random_stack(dice)
@@ -242,9 +199,9 @@ EffectScene random_one(int index) {
 
 }  // namespace
 
-std::vector<EffectScene> random_effect_scenes() {
-    std::vector<EffectScene> scenes;
-    for (int index = 0; index < random_effect_scenes_count; ++index) scenes.push_back(random_one(index));
+std::vector<ModelScene> random_effects() {
+    std::vector<ModelScene> scenes;
+    for (int index = 0; index < random_effects_count; ++index) scenes.push_back(random_one(index));
     return scenes;
 }
 

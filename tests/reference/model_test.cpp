@@ -1,7 +1,5 @@
 // The reference model of all mechanisms is judged before it judges: by 50 digits, by another model, by the energy that
 // has to be left, and by a printed table.
-#include "reference/effects_model.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -9,15 +7,17 @@
 #include <numbers>
 #include <utility>
 
-#include "reference/dense_layers.h"
 #include "reference/exact_mie.h"
+#include "reference/layers.h"
+#include "reference/model.h"
+#include "reference/spheres.h"
 
 namespace nacre::reference {
 namespace {
 
 constexpr double rad_per_deg = std::numbers::pi / 180.0;
 
-TEST(EffectsModel, HasSpheresAsInFiftyDigits) {
+TEST(ReferenceSpheres, AreThoseOfFiftyDigits) {
     for (const double x : {0.3, 1.0, 3.7, 9.0}) {
         for (const std::complex<double> m : {std::complex<double>(0.75), {1.5, 0.0}, {1.4, 0.05}, {2.2, 0.4}}) {
             const ModelSphere sphere = model_sphere(x, m);
@@ -35,36 +35,31 @@ TEST(EffectsModel, HasSpheresAsInFiftyDigits) {
     }
 }
 
-TEST(EffectsModel, HasLayersAsAnotherModel) {
+// Two-ports that are composed from above, and Rouard's way from the substrate up.
+TEST(ReferenceLayers, AreTheSameFromAboveAndFromBelow) {
     Stack stack;
-    LayersModel other;
     stack.incident = 1.0;
     stack.substrate = RefractiveIndex(0.4, 2.5);
-    other.substrate = {"", {0.4, 2.5}};
     for (const auto& [index, thickness_nm] :
          {std::pair<RefractiveIndex, double>{1.38, 95.0}, {{1.9, 0.05}, 60.0}, {2.3, 140.0}}) {
         Layer layer;
         layer.index = index;
         layer.thickness_nm = thickness_nm;
         stack.layers.push_back(layer);
-        other.groups.push_back({1, false, {other.layers.size()}});
-        other.layers.push_back({{"", index}, thickness_nm});
     }
-    const DenseLayers dense(other);
     for (const double theta_deg : {0.0, 40.0, 75.0, 89.0}) {
         for (const double nm : {400.0, 555.0, 780.0}) {
-            double reflectance = 0.0;
-            for (const bool is_p : {false, true}) {
-                const auto powers = layer_powers(stack, std::sin(theta_deg * rad_per_deg), nm, is_p);
-                reflectance += 0.5 * powers.reflectance;
-            }
-            EXPECT_NEAR(reflectance, dense.reflectance(std::cos(theta_deg * rad_per_deg), nm), 1e-12);
+            const double cos_theta = std::cos(theta_deg * rad_per_deg);
+            double of_ports = 0.0;
+            for (const bool is_p : {false, true})
+                of_ports += 0.5 * layer_powers(stack, {1.0, cos_theta, is_p}, nm).reflectance;
+            EXPECT_NEAR(of_ports, reflectance(stack, cos_theta, nm), 1e-12);
         }
     }
 }
 
 // What is not reflected passes; along one path as much passes down as up; beyond an incoherent layer, too.
-TEST(EffectsModel, LosesNoLight) {
+TEST(ReferenceLayers, LoseNoLight) {
     Stack stack;
     stack.incident = 1.0;
     stack.substrate = 1.6;
@@ -83,7 +78,7 @@ TEST(EffectsModel, LosesNoLight) {
     for (const Mechanism& mechanism : {Mechanism(stack), Mechanism(crystal)}) {
         for (const double sine : {0.0, 0.5, 0.95}) {
             for (const bool is_p : {false, true}) {
-                const auto powers = layer_powers(mechanism, sine, 555.0, is_p);
+                const auto powers = layer_powers(mechanism, {1.0, std::sqrt(1.0 - sine * sine), is_p}, 555.0);
                 EXPECT_NEAR(powers.reflectance + powers.transmittance, 1.0, 1e-11);
                 EXPECT_NEAR(powers.reflectance_below + powers.transmittance_below, 1.0, 1e-11);
                 EXPECT_NEAR(powers.transmittance, powers.transmittance_below, 1e-11);
@@ -94,7 +89,7 @@ TEST(EffectsModel, LosesNoLight) {
 
 // Judd 1942, J. Res. NBS 29, 329, table 1: of light that comes evenly from all directions a face of 1.5 reflects 0.0918
 // from outside, so that from inside 1 - (1 - 0.0918) / 1.5^2 are.
-TEST(EffectsModel, HasABaseBelowGlassAsInJuddsTable) {
+TEST(ReferenceBase, BelowGlassIsAsInJuddsTable) {
     Mechanism glass = Film{1.0, 1.5, 100.0, 1.5, 0.0};
     glass.effects.base = GreyBase{0.5};
     const double inside = 1.0 - (1.0 - 0.0918) / 2.25;

@@ -1,5 +1,5 @@
 // The reference model of palettes is judged before it judges: by a published table, by IEEE 754 and by 50 digits.
-#include "reference/dense_model.h"
+#include "reference/palette.h"
 
 #include <gtest/gtest.h>
 
@@ -7,34 +7,14 @@
 #include <vector>
 
 #include "reference/csv.h"
+#include "reference/lut.h"
+#include "reference/model.h"
+#include "reference/paper_scenes.h"
 
 namespace nacre::reference {
 namespace {
 
-SceneModel morpho() {
-    SceneModel scene;
-    scene.name = "morpho";
-    scene.picks = {{0, 460, 70, 1.0}, {40, 395, 60, 0.7}};
-    scene.shape = 0.26;
-    return scene;
-}
-
-SceneModel morpho_width() {
-    SceneModel scene = morpho();
-    scene.name = "morpho_width";
-    scene.y = {"width_nm", 20, 200};
-    return scene;
-}
-
-SceneModel beetle() {
-    SceneModel scene;
-    scene.name = "beetle";
-    scene.picks = {{10, 530, 110, 0.73}, {60, 460, 110, 1.0}};
-    scene.shape = 0.91;
-    return scene;
-}
-
-TEST(DenseModel, ColourDifferenceGivesTheTableOfSharmaWuAndDalal) {
+TEST(ReferencePalette, ColourDifferenceGivesTheTableOfSharmaWuAndDalal) {
     const Csv pairs = read_csv("ciede2000_sharma34.csv");
     ASSERT_EQ(pairs.rows.size(), 34u);
     for (std::size_t row = 0; row < pairs.rows.size(); ++row) {
@@ -47,7 +27,7 @@ TEST(DenseModel, ColourDifferenceGivesTheTableOfSharmaWuAndDalal) {
     }
 }
 
-TEST(DenseModel, HalvesAreKeptAndMiddlesGoToTheEvenNeighbour) {
+TEST(ReferencePalette, HalvesAreKeptAndMiddlesGoToTheEvenNeighbour) {
     // IEEE 754 binary16: code k < 1024 is k * 2^-24; otherwise (1024 + k % 1024) * 2^(k / 1024 - 25).
     const auto half = [](int code) {
         return code < 1024 ? std::ldexp(code, -24) : std::ldexp(1024 + code % 1024, code / 1024 - 25);
@@ -61,24 +41,24 @@ TEST(DenseModel, HalvesAreKeptAndMiddlesGoToTheEvenNeighbour) {
     }
 }
 
-TEST(DenseModel, FiftyDigitsGiveTheSameColour) {
-    SceneModel narrow = morpho();
+TEST(ReferencePalette, FiftyDigitsGiveTheSameColour) {
+    ModelScene narrow = paper_morpho();
     narrow.illuminant = "FL11";
-    narrow.picks = {{0, 460, 30, 0.9}, {40, 395, 3, 0.7}, {60, 440, 12, 0.4}};
-    SceneModel tenth_degree = beetle();
+    std::get<Palette>(narrow.mechanism).picks = {{0, {460, 30, 0.9}}, {40, {395, 3, 0.7}}, {60, {440, 12, 0.4}}};
+    ModelScene tenth_degree = paper_beetle();
     tenth_degree.illuminant = "A";
     tenth_degree.observer_deg = 10;
     tenth_degree.x = ModelAxis::theta_deg;
     struct Point {
-        SceneModel scene;
+        ModelScene scene;
         double x, y;
     };
-    const std::vector<Point> points{{morpho(), 1.0, 0.0},    {morpho(), 0.91, 0.0}, {morpho_width(), 0.7, 0.1},
-                                    {narrow, 0.875, 0.0},    {narrow, 0.8, 0.0},    {narrow, 0.7072, 0.0},
-                                    {tenth_degree, 0.4, 0.0}};
+    const std::vector<Point> points{
+        {paper_morpho(), 1.0, 0.0}, {paper_morpho(), 0.91, 0.0}, {paper_morpho_width(), 0.7, 0.1}, {narrow, 0.875, 0.0},
+        {narrow, 0.8, 0.0},         {narrow, 0.7072, 0.0},       {tenth_degree, 0.4, 0.0}};
     for (const auto& [scene, x, y] : points) {
-        const ModelXyz colour = DenseModel(scene).at(x, y);
-        const XyzNumbers exact = twin_xyz(scene, x, y);
+        const ModelXyz colour = Model(scene).at(x, y);
+        const XyzNumbers exact = palette_in_50_digits(scene, x, y);
         EXPECT_LT(distance(colour.x, exact.x), 1e-11) << scene.name << " " << x;
         EXPECT_LT(distance(colour.y, exact.y), 1e-11) << scene.name << " " << x;
         EXPECT_LT(distance(colour.z, exact.z), 1e-11) << scene.name << " " << x;

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <memory>
+
+#include "reference/light.h"
+
+namespace nacre::reference {
+
+/// The colour of a cosine lobe under a light, before adaptation.
+///
+/// Every nanometre is integrated by Gauss-Legendre, pieces cut at the ends of the lobe.
+/// Accuracy: 1e-12 of Y = 1. Speed: about a microsecond.
+class LobeIntegral {
+public:
+    explicit LobeIntegral(const ModelLight& light);
+    ~LobeIntegral();
+
+    /// Of a lobe of height 1.
+    Triple operator()(double peak_nm, double width_nm) const;
+
+private:
+    struct Cells;
+    std::unique_ptr<const Cells> cells_;
+};
+
+}  // namespace nacre::reference

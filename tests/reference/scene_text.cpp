@@ -1,0 +1,91 @@
+#include <array>
+#include <cstdio>
+#include <stdexcept>
+
+#include "reference/materials.h"
+#include "reference/random_scenes.h"
+
+namespace nacre::reference {
+namespace {
+
+// All digits: the program reads the very double that the model holds.
+std::string digits(double number) {
+    std::array<char, 40> text{};
+    std::snprintf(text.data(), text.size(), "%.17g", number);
+    return text.data();
+}
+
+std::string index_text(const Index& index) {
+    if (is_named(index)) return '"' + index.curve->name + '"';
+    if (index.curve) throw std::runtime_error("a table has no text here");
+    const std::string n = digits(index.constant.real());
+    return index.constant.imag() == 0.0 ? n : "{ n = " + n + ", k = " + digits(index.constant.imag()) + " }";
+}
+
+std::string layer_text(const Layer& layer) {
+    return "{ index = " + index_text(layer.index) + ", thickness_nm = " + digits(layer.thickness_nm) + " }, ";
+}
+
+std::string mechanism_text(const Palette& palette) {
+    std::string text = "shape = " + digits(palette.shape) + "\npicks = [\n";
+    for (const Pick& pick : palette.picks) {
+        text += "    { angle_deg = " + digits(pick.angle_deg) + ", peak_nm = " + digits(pick.lobe.peak_nm) +
+                ", width_nm = " + digits(pick.lobe.width_nm) + ", height = " + digits(pick.lobe.height) + " },\n";
+    }
+    return text + "]\n";
+}
+
+std::string mechanism_text(const Film& film) {
+    return "mechanism = \"film\"\nincident = " + index_text(film.incident) + "\nindex = " + index_text(film.index) +
+           "\nthickness_nm = " + digits(film.thickness_nm) + "\nsubstrate = " + index_text(film.substrate) + "\n";
+}
+
+std::string mechanism_text(const Stack& stack) {
+    std::string text = "mechanism = \"stack\"\nincident = " + index_text(stack.incident) + "\nlayers = [\n";
+    for (const Layer& layer : stack.layers) {
+        text += "    ";
+        if (layer.repeat > 0) text += "{ repeat = " + std::to_string(layer.repeat) + ", layers = [ ";
+        if (layer.repeat == 0) text += layer_text(layer);
+        for (const Layer& member : layer.layers) text += layer_text(member);
+        text += layer.repeat > 0 ? "] },\n" : "\n";
+    }
+    return text + "]\nsubstrate = " + index_text(stack.substrate) + "\n";
+}
+
+std::string mechanism_text(const Mechanism& mechanism) {
+    if (const auto* palette = std::get_if<Palette>(&mechanism)) return mechanism_text(*palette);
+    if (const auto* film = std::get_if<Film>(&mechanism)) return mechanism_text(*film);
+    return mechanism_text(std::get<Stack>(mechanism));
+}
+
+const char* axis_name(ModelAxis axis) {
+    if (axis == ModelAxis::theta_deg) return "theta_deg";
+    return axis == ModelAxis::cos_theta ? "cos_theta" : "sqrt_cos_theta";
+}
+
+}  // namespace
+
+std::string numbered(char kind, int index) {
+    std::array<char, 16> name{};
+    std::snprintf(name.data(), name.size(), "%c%03d", kind, index);
+    return name.data();
+}
+
+std::string scene_text(const ModelScene& scene, const std::optional<FixedLut>& fixed) {
+    std::string text = "nacre = 1\n[light]\nilluminant = \"" + scene.illuminant + "\"\nobserver = \"" +
+                       (scene.observer_deg == 10 ? "cie1964_10deg" : "cie1931_2deg") + "\"\n[material." + scene.name +
+                       "]\n" + mechanism_text(scene.mechanism) + "[lut." + scene.name + "]\nmaterial = \"" +
+                       scene.name + "\"\nx = \"" + axis_name(scene.x) + "\"\n";
+    if (scene.y) {
+        text += "y = { parameter = \"" + scene.y->name + "\", from = " + digits(scene.y->from) +
+                ", to = " + digits(scene.y->to) + " }\n";
+    }
+    if (fixed) {
+        const std::string width = std::to_string(fixed->width);
+        text += "size = " + (scene.y ? "[" + width + ", " + std::to_string(fixed->height) + "]" : width) + "\n";
+        text += std::string("format = ") + (fixed->format == StoredAs::half_float ? "\"half\"" : "\"float\"") + "\n";
+    }
+    return text;
+}
+
+}  // namespace nacre::reference

@@ -16,9 +16,9 @@ namespace {
 
 // No table for light ends below this, but one in micrometres does.
 constexpr double least_last_nm = 100.0;
-constexpr std::size_t largest_csv_bytes = 64u << 20;
+constexpr std::size_t largest_table_bytes = 64u << 20;
 
-[[noreturn]] void fail(const std::string& file, int line, const std::string& message) {
+[[noreturn]] void fail_at(const std::string& file, int line, const std::string& message) {
     throw Error(file + ":" + std::to_string(line) + ": " + message);
 }
 
@@ -37,15 +37,16 @@ std::string nm_text(double nm) {
 
 void check(const IndexTable& table, const IndexRow& row, const std::string& file) {
     if (!(row.wavelength_nm > 0.0))
-        fail(file, row.line, "wavelength " + nm_text(row.wavelength_nm) + " is not above 0; allowed: above 0");
+        fail_at(file, row.line, "wavelength " + nm_text(row.wavelength_nm) + " is not above 0; allowed: above 0");
     if (table.gives_n && !(row.n > 0.0)) {
-        fail(file, row.line,
-             "n = " + number_text(row.n) + " at " + nm_text(row.wavelength_nm) + " is not above 0; allowed: above 0");
+        fail_at(
+            file, row.line,
+            "n = " + number_text(row.n) + " at " + nm_text(row.wavelength_nm) + " is not above 0; allowed: above 0");
     }
     if (table.gives_k && !(row.k >= 0.0)) {
-        fail(file, row.line,
-             "k = " + number_text(row.k) + " at " + nm_text(row.wavelength_nm) +
-                 " is negative, which would be gain; allowed: 0 or more");
+        fail_at(file, row.line,
+                "k = " + number_text(row.k) + " at " + nm_text(row.wavelength_nm) +
+                    " is negative, which would be gain; allowed: 0 or more");
     }
 }
 
@@ -60,24 +61,24 @@ std::string values_text(const IndexTable& table, const IndexRow& row) {
 bool repeats(const IndexTable& table, const IndexRow& row, const IndexRow& before, const std::string& file) {
     if (row.wavelength_nm != before.wavelength_nm) return false;
     if (row.n != before.n || row.k != before.k) {
-        fail(file, row.line,
-             nm_text(row.wavelength_nm) + " is given twice, with " + values_text(table, row) + " and in line " +
-                 std::to_string(before.line) + " with " + values_text(table, before) + "; give it once");
+        fail_at(file, row.line,
+                nm_text(row.wavelength_nm) + " is given twice, with " + values_text(table, row) + " and in line " +
+                    std::to_string(before.line) + " with " + values_text(table, before) + "; give it once");
     }
     return true;
 }
 
 // "400;1,5" would be read as three columns.
 void refuse_decimal_commas(const std::string& path) {
-    const std::string text = read_text_file(path, largest_csv_bytes);
+    const std::string text = read_text_file(path, largest_table_bytes);
     std::string_view rest = text;
     for (int line = 1; !rest.empty(); ++line) {
         const std::string_view content = rest.substr(0, rest.find('\n'));
         rest.remove_prefix(std::min(content.size() + 1, rest.size()));
         if (content.starts_with('#') || content.find(',') == std::string_view::npos) continue;
         if (content.find_first_of(";\t") != std::string_view::npos)
-            fail(path, line,
-                 "has two kinds of separators; write decimals with a point, and separate the columns in one way");
+            fail_at(path, line,
+                    "has two kinds of separators; write decimals with a point, and separate the columns in one way");
     }
 }
 
@@ -88,9 +89,9 @@ bool is_heading(const CsvRow& row) {
 
 IndexRow csv_row(const std::string& path, const CsvRow& row, std::size_t columns) {
     if (row.fields.size() != columns) {
-        fail(path, row.line,
-             "has " + std::to_string(row.fields.size()) + " columns, the first row has " + std::to_string(columns) +
-                 "; every row must have the same number");
+        fail_at(path, row.line,
+                "has " + std::to_string(row.fields.size()) + " columns, the first row has " + std::to_string(columns) +
+                    "; every row must have the same number");
     }
     return {row.line, csv_number(path, row, 0), csv_number(path, row, 1), columns > 2 ? csv_number(path, row, 2) : 0.0};
 }
@@ -128,9 +129,9 @@ IndexCurves index_curves(IndexTable table, const std::string& file, int line) {
         }
     }
     if (count < 2) {
-        fail(file, line,
-             std::string("a table of ") + (count == 0 ? "no wavelengths" : "one wavelength") +
-                 "; two or more are needed (a constant index is a number in the scene)");
+        fail_at(file, line,
+                std::string("a table of ") + (count == 0 ? "no wavelengths" : "one wavelength") +
+                    "; two or more are needed (a constant index is a number in the scene)");
     }
     return curves;
 }
@@ -142,8 +143,8 @@ IndexTable read_index_csv(const std::string& path) {
     if (rows.empty()) throw Error(path + ": has no numbers; allowed: columns wavelength_nm,n or wavelength_nm,n,k");
     const std::size_t columns = rows.front().fields.size();
     if (columns != 2 && columns != 3) {
-        fail(path, rows.front().line,
-             "has " + std::to_string(columns) + " columns; allowed: wavelength_nm,n or wavelength_nm,n,k");
+        fail_at(path, rows.front().line,
+                "has " + std::to_string(columns) + " columns; allowed: wavelength_nm,n or wavelength_nm,n,k");
     }
     IndexTable table{true, columns == 3, {}};
     double last_nm = 0.0;
@@ -152,8 +153,8 @@ IndexTable read_index_csv(const std::string& path) {
         last_nm = std::max(last_nm, table.rows.back().wavelength_nm);
     }
     if (last_nm < least_last_nm) {
-        fail(path, rows.front().line,
-             "wavelengths end at " + number_text(last_nm) + " nm, as if they were micrometres; give nanometres");
+        fail_at(path, rows.front().line,
+                "wavelengths end at " + number_text(last_nm) + " nm, as if they were micrometres; give nanometres");
     }
     return table;
 }

@@ -23,9 +23,9 @@ namespace nacre {
 namespace {
 
 constexpr std::size_t largest_yaml_bytes = 16u << 20;
-constexpr std::size_t most_rows = 1000000;
+constexpr std::size_t most_data_rows = 1000000;
 constexpr int um_to_nm_shift = 3;  // 1 um = 10^3 nm
-constexpr std::string_view blanks = " \n";
+constexpr std::string_view yaml_blanks = " \n";
 constexpr std::string_view what_a_material_is = "a material is YAML with DATA, as refractiveindex.info has it";
 constexpr std::string_view allowed_types = "allowed: formula 1 to formula 9, tabulated n, tabulated k, tabulated nk";
 
@@ -48,10 +48,10 @@ struct Block {
 
 std::vector<std::string_view> words(std::string_view text) {
     std::vector<std::string_view> result;
-    for (std::size_t begin = text.find_first_not_of(blanks); begin != std::string_view::npos;) {
-        const std::size_t end = std::min(text.find_first_of(blanks, begin), text.size());
+    for (std::size_t begin = text.find_first_not_of(yaml_blanks); begin != std::string_view::npos;) {
+        const std::size_t end = std::min(text.find_first_of(yaml_blanks, begin), text.size());
         result.push_back(text.substr(begin, end - begin));
-        begin = text.find_first_not_of(blanks, end);
+        begin = text.find_first_not_of(yaml_blanks, end);
     }
     return result;
 }
@@ -151,8 +151,9 @@ Block read_table(const YamlNode& node, bool gives_n, bool gives_k, const std::st
         const std::size_t end = rest.find('\n');
         const std::string_view content = rest.substr(0, end);
         rest.remove_prefix(end == std::string_view::npos ? rest.size() : end + 1);
-        if (content.find_first_not_of(blanks) == std::string_view::npos) continue;
-        if (table.rows.size() >= most_rows) fail(file, line, "more than " + std::to_string(most_rows) + " rows");
+        if (content.find_first_not_of(yaml_blanks) == std::string_view::npos) continue;
+        if (table.rows.size() >= most_data_rows)
+            fail(file, line, "more than " + std::to_string(most_data_rows) + " rows");
         table.rows.push_back(read_row(content, line, table, file));
     }
     IndexCurves curves = index_curves(std::move(table), file, data.line);

@@ -17,7 +17,7 @@ namespace nacre {
 namespace {
 
 constexpr std::size_t most_levels = 32;
-constexpr std::size_t most_values = 10000;
+constexpr std::size_t most_yaml_values = 10000;
 constexpr std::size_t tab_width = 8;
 constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
 
@@ -95,7 +95,7 @@ private:
 
     // The pointers to open nodes stay right: a node grows only while it is the innermost one.
     YamlNode& add(const YAML::Mark& mark, YamlNode::Kind kind) {
-        if (++values_ > most_values) fail(mark, "more than " + std::to_string(most_values) + " values");
+        if (++values_ > most_yaml_values) fail(mark, "more than " + std::to_string(most_yaml_values) + " values");
         if (open_.size() >= most_levels) fail(mark, "more than " + std::to_string(most_levels) + " levels");
         YamlNode* node = &root_;
         if (!open_.empty()) {

@@ -9,7 +9,7 @@
 namespace nacre {
 namespace {
 
-constexpr double most_effort = 1e9;
+constexpr double most_search_effort = 1e9;
 
 // Reflectances that one colour takes, on average over the axes.
 double samples_per_colour(const Job& job) {
@@ -37,20 +37,20 @@ Effort::Effort(const Job& job) {
     if (std::holds_alternative<Palette>(job.material.mechanism)) return;
     per_sample_ = effort_per_sample(job.material.mechanism, job.sampling.slices);
     const double per_texel = effort_per_colour(job);
-    most_curve_colours_ = 0.25 * most_effort / per_texel;
+    most_curve_colours_ = 0.25 * most_search_effort / per_texel;
     if (!job.y) return;
     constexpr double fewest = 1 << 13;
     const auto most = static_cast<double>(most_texels_);
-    most_texels_ = static_cast<std::int64_t>(std::clamp(0.25 * most_effort / per_texel, fewest, most));
+    most_texels_ = static_cast<std::int64_t>(std::clamp(0.25 * most_search_effort / per_texel, fewest, most));
 }
 
 bool Effort::is_spent(const Work& work) const {
-    return static_cast<double>(work.samples) * per_sample_ > most_effort;
+    return static_cast<double>(work.samples) * per_sample_ > most_search_effort;
 }
 
 bool Effort::is_far_beyond(const Work& work) const {
     constexpr double far = 2.0;
-    return static_cast<double>(work.samples) * per_sample_ > far * most_effort;
+    return static_cast<double>(work.samples) * per_sample_ > far * most_search_effort;
 }
 
 }  // namespace nacre

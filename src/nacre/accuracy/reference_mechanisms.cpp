@@ -16,7 +16,7 @@ constexpr double pi = std::numbers::pi;
 // Gauss-Legendre with two nodes on [0, 1].
 constexpr double gauss_nodes[2] = {0.5 - 0.288675134594812882, 0.5 + 0.288675134594812882};
 
-Xyz plus(const Xyz& sum, double factor, const Xyz& term) {
+Xyz plus_term(const Xyz& sum, double factor, const Xyz& term) {
     return {sum.x + factor * term.x, sum.y + factor * term.y, sum.z + factor * term.z};
 }
 
@@ -76,11 +76,11 @@ Xyz Reference::tilted(const Mechanism& mechanism, const Incidence& incidence) co
             const double around = pi * (j + 0.5) / spokes;
             const double cos_facet = incidence.cos_theta * std::cos(tau) + sin_theta * std::sin(tau) * std::cos(around);
             if (cos_facet <= 0.0) continue;
-            sum = plus(sum, density * cos_facet, facets_->second.at(std::sqrt(std::min(cos_facet, 1.0))));
+            sum = plus_term(sum, density * cos_facet, facets_->second.at(std::sqrt(std::min(cos_facet, 1.0))));
             visible += density * cos_facet;
         }
     }
-    return visible > 0.0 ? plus({}, 1.0 / visible, sum) : flat(plain, incidence);
+    return visible > 0.0 ? plus_term({}, 1.0 / visible, sum) : flat(plain, incidence);
 }
 
 // Every order's line, wave by wave where it is bright; far away by its mean, 1 / (2 pi^2 t^2).
@@ -97,7 +97,7 @@ Xyz Reference::lines(const Grating& grating, double u) const {
         const double line = is_mean ? 1.0 / (2.0 * pi * pi * t * t) : sinc_squared(t);
         const double density = grating_efficiency(grating, order, nm) * grating.grooves * grating.period_nm / nm *
                                line * std::exp(-pi * (along_nm / nm) * (along_nm / nm));
-        sum = plus(sum, length_nm * density, weight_at(nm));
+        sum = plus_term(sum, length_nm * density, weight_at(nm));
     };
     for (const int magnitude : counted_orders(grating, light.first_nm)) {
         for (const int order : {magnitude, -magnitude}) {
@@ -148,7 +148,7 @@ Xyz Reference::scattered(const Mechanism& mechanism, double cos_scatter) const {
     Xyz sum;
     for (std::size_t i = 0; i < seen.size(); ++i) {
         const Wave& wave = scattering_->waves[i];
-        sum = plus(sum, seen[i] * wave.length_nm, weight_at(wave.nm));
+        sum = plus_term(sum, seen[i] * wave.length_nm, weight_at(wave.nm));
     }
     return sum;
 }
@@ -165,7 +165,7 @@ Xyz Reference::measured(const MeasuredSpectra& spectra, const Incidence& inciden
         for (const double at : gauss_nodes) {
             const double nm = std::lerp(borders[i - 1], borders[i], at);
             const double reflectance = measured_reflectance(spectra, incidence.theta_deg, nm);
-            sum = plus(sum, 0.5 * (borders[i] - borders[i - 1]) * reflectance, weight_at(nm));
+            sum = plus_term(sum, 0.5 * (borders[i] - borders[i - 1]) * reflectance, weight_at(nm));
         }
     }
     return sum;

@@ -39,7 +39,7 @@ int steps_per_cell(int texels, int fewest, int fewest_overall) {
 // are dear on fewer still, in reflectances of a film.
 constexpr double most_points = 1 << 22;
 constexpr double fewest_points = 1 << 14;
-constexpr double most_effort = 1e9;
+constexpr double most_scan_effort = 1e9;
 
 struct Cell {
     double largest = 0.0;
@@ -131,7 +131,7 @@ private:
         const double points = (1.0 + last_step) * (1.0 + last_line);
         // Odd, so that lines through texels and lines between them have their turn.
         const double affordable =
-            is_2d() ? std::clamp(most_effort / effort_per_colour(job), fewest_points, most_points) : most_points;
+            is_2d() ? std::clamp(most_scan_effort / effort_per_colour(job), fewest_points, most_points) : most_points;
         const int stride = static_cast<int>(std::ceil(points / affordable)) | 1;
         std::vector<LutPoint> line;
         for (int j = 0; j <= last_line && !is_over(); j += stride) {

@@ -10,8 +10,6 @@
 namespace nacre {
 namespace {
 
-constexpr Xyz d65 = xyz_from_chromaticity(d65_chromaticity);
-
 // Fringes that may be too fine to be seen: of some 16 micrometres of glass.
 constexpr double fine_fringes = 75.0;
 // So much finer than all others together that no two of them beat.
@@ -86,7 +84,7 @@ std::vector<std::size_t> thick_layers(const Job& job, double tolerance) {
     }
     if (!(brightest > black_luminance)) return thick;
     const auto lab = [&](const Xyz& colour) {
-        return to_lab({colour.x / brightest, colour.y / brightest, colour.z / brightest}, d65);
+        return to_lab({colour.x / brightest, colour.y / brightest, colour.z / brightest}, d65_white);
     };
     for (std::size_t i = 0; i < seen.size(); ++i) {
         if (ciede2000(lab(seen[i]), lab(meant[i])) > tolerance) return {};

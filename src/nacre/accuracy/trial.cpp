@@ -13,10 +13,8 @@
 namespace nacre {
 namespace {
 
-constexpr Xyz d65 = xyz_from_chromaticity(d65_chromaticity);
-
 Lab lab_at(Xyz colour, double scale) {
-    return to_lab({scale * colour.x, scale * colour.y, scale * colour.z}, d65);
+    return to_lab({scale * colour.x, scale * colour.y, scale * colour.z}, d65_white);
 }
 
 // @param floor  smaller differences than this may come out as floor: most points are far from the worst, and the

@@ -6,9 +6,8 @@ namespace nacre {
 
 double distance_at(const Xyz& one, const Xyz& other, double brightest) {
     if (!(brightest > black_luminance)) return 0.0;
-    constexpr Xyz d65 = xyz_from_chromaticity(d65_chromaticity);
     const auto lab = [&](const Xyz& colour) {
-        return to_lab({colour.x / brightest, colour.y / brightest, colour.z / brightest}, d65);
+        return to_lab({colour.x / brightest, colour.y / brightest, colour.z / brightest}, d65_white);
     };
     return ciede2000(lab(one), lab(other));
 }

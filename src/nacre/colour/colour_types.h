@@ -35,6 +35,9 @@ inline constexpr Xyz xyz_from_chromaticity(Chromaticity chromaticity, double lum
             luminance * (1.0 - chromaticity.x - chromaticity.y) / chromaticity.y};
 }
 
+/// The white that all colours of this project are relative to, at Y = 1.
+inline constexpr Xyz d65_white = xyz_from_chromaticity(d65_chromaticity);
+
 /// @pre x + y + z > 0
 inline constexpr Chromaticity chromaticity_of(Xyz colour) {
     const double sum = colour.x + colour.y + colour.z;

@@ -16,8 +16,6 @@
 namespace nacre {
 namespace {
 
-constexpr Xyz d65 = xyz_from_chromaticity(d65_chromaticity);
-
 // The nodes of an even grid that lie under a band: first and count; none where the band is narrower than a step.
 struct NodeRange {
     int first;
@@ -64,7 +62,7 @@ public:
             weights->insert(weights->end(), TristimulusWeights::padding, 0.0);
         }
         adaptation_ =
-            adaptation_matrix(light.settings.adaptation, {white.x / luminance, 1.0, white.z / luminance}, d65);
+            adaptation_matrix(light.settings.adaptation, {white.x / luminance, 1.0, white.z / luminance}, d65_white);
     }
 
     Xyz to_xyz(const Lobe& lobe) const override {
@@ -190,7 +188,8 @@ public:
             add(power_.back(), nm, white);
         }
         for (double& power : power_) power /= white.y;
-        adaptation_ = adaptation_matrix(light.settings.adaptation, {white.x / white.y, 1.0, white.z / white.y}, d65);
+        adaptation_ =
+            adaptation_matrix(light.settings.adaptation, {white.x / white.y, 1.0, white.z / white.y}, d65_white);
     }
 
     Xyz to_xyz(const Lobe& lobe) const override {

@@ -120,7 +120,7 @@ void remove_size_spread(Mechanism& mechanism, double) {
     std::get<Scatter>(mechanism).radius_spread = 0.0;
 }
 
-constexpr std::array<EffectRow, effect_count> rows{{
+constexpr std::array<EffectRow, effect_count> all_effect_rows{{
     {Effect::dispersion, "dispersion", "indices that depend on the wavelength", has_dispersion, remove_dispersion},
     {Effect::absorption, "absorption", "layers or particles that absorb light", has_absorption, remove_absorption},
     {Effect::polarisation, "polarisation", "s and p computed separately and averaged", has_two_polarisations,
@@ -143,16 +143,16 @@ int EffectSet::size() const {
 }
 
 std::span<const EffectRow> effect_rows() {
-    return rows;
+    return all_effect_rows;
 }
 
 const EffectRow& row_of(Effect effect) {
-    return rows[static_cast<std::size_t>(effect)];
+    return all_effect_rows[static_cast<std::size_t>(effect)];
 }
 
 EffectSet effects_in(const Mechanism& mechanism, double first_nm) {
     EffectSet found;
-    for (const EffectRow& row : rows) {
+    for (const EffectRow& row : all_effect_rows) {
         if (row.is_in(mechanism, first_nm)) found.insert(row.effect);
     }
     return found;
@@ -160,7 +160,7 @@ EffectSet effects_in(const Mechanism& mechanism, double first_nm) {
 
 void remove(const EffectSet& effects, Mechanism& mechanism, double first_nm) {
     if (effects.is_empty()) return;
-    for (const EffectRow& row : rows) {
+    for (const EffectRow& row : all_effect_rows) {
         if (effects.has(row.effect) && row.is_in(mechanism, first_nm)) row.remove(mechanism, first_nm);
     }
 }

@@ -59,7 +59,7 @@ void visit_scatter(MechanismModel& model, const VisitIndex& visit) {
     visit(scatter.particle, IndexRole::layer);
 }
 
-constexpr std::array<MechanismRow, std::variant_size_v<MechanismModel>> rows{{
+constexpr std::array<MechanismRow, std::variant_size_v<MechanismModel>> all_mechanism_rows{{
     {"palette", "picked bands of reflectance, and what lies between them", Quantity::incidence, false, false,
      no_indices, no_spread},
     {"film", "one layer on a substrate", Quantity::incidence, true, true, visit_film, spread_of<Film>},
@@ -71,21 +71,21 @@ constexpr std::array<MechanismRow, std::variant_size_v<MechanismModel>> rows{{
     {"measured", "measured spectra at several angles", Quantity::incidence, false, false, no_indices, no_spread},
 }};
 
-static_assert(rows.back().visit_indices != nullptr, "material/mechanism.cpp: one row per mechanism");
+static_assert(all_mechanism_rows.back().visit_indices != nullptr, "material/mechanism.cpp: one row per mechanism");
 
 }  // namespace
 
 std::span<const MechanismRow> mechanism_rows() {
-    return rows;
+    return all_mechanism_rows;
 }
 
 const MechanismRow& row_of(const Mechanism& mechanism) {
-    return rows[mechanism.index()];
+    return all_mechanism_rows[mechanism.index()];
 }
 
 std::vector<std::string> mechanism_names() {
     std::vector<std::string> names;
-    for (const MechanismRow& row : rows) names.emplace_back(row.name);
+    for (const MechanismRow& row : all_mechanism_rows) names.emplace_back(row.name);
     return names;
 }
 

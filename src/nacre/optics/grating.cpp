@@ -11,7 +11,7 @@
 namespace nacre {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 double square(double x) {
     return x * x;

@@ -23,7 +23,7 @@ Place place_of(double at, const std::vector<double>& nodes) {
 
 // The slope at a node between two intervals: Brodlie's harmonic mean of theirs (Fritsch & Butland 1984, SIAM J. Sci.
 // Stat. Comput. 5, 300-304, equation 5), each interval weighted by a third to two thirds, the shorter one more.
-double inner_slope(double left_width, double left_slope, double right_width, double right_slope) {
+double monotone_slope(double left_width, double left_slope, double right_width, double right_slope) {
     if (!(left_slope > 0.0 && right_slope > 0.0) && !(left_slope < 0.0 && right_slope < 0.0)) return 0.0;
     const double left_weight = (left_width + 2.0 * right_width) / (3.0 * (left_width + right_width));
     return 1.0 / (left_weight / left_slope + (1.0 - left_weight) / right_slope);
@@ -50,7 +50,7 @@ std::vector<double> slopes(const std::vector<double>& nodes, const At& at) {
     }
     if (last == 1) return {secant[0], secant[0]};
     slope[0] = end_slope(width[0], secant[0], width[1], secant[1]);
-    for (std::size_t i = 1; i < last; ++i) slope[i] = inner_slope(width[i - 1], secant[i - 1], width[i], secant[i]);
+    for (std::size_t i = 1; i < last; ++i) slope[i] = monotone_slope(width[i - 1], secant[i - 1], width[i], secant[i]);
     slope[last] = end_slope(width[last - 1], secant[last - 1], width[last - 2], secant[last - 2]);
     return slope;
 }

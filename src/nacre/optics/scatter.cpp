@@ -12,7 +12,7 @@
 namespace nacre {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 constexpr double largest_hard_fraction = 0.6;
 
 double sphere_volume(double radius_nm) {

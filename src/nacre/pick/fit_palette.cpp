@@ -16,7 +16,6 @@
 namespace nacre {
 namespace {
 
-constexpr Xyz d65 = xyz_from_chromaticity(d65_chromaticity);
 constexpr double first_seen_nm = 380.0;
 constexpr double last_seen_nm = 780.0;
 // Peaks count where spectra have them: a peak that far off is as bad as CIEDE2000 1.
@@ -67,7 +66,7 @@ public:
         for (std::size_t angle = 0; angle < spectra.angle_deg.size(); ++angle) {
             places_.push_back(Incidence::from_degrees(spectra.angle_deg[angle]));
             colours_.push_back(adapt(light.adaptation, colour.at(places_.back())));
-            labs_.push_back(to_lab(colours_.back(), d65));
+            labs_.push_back(to_lab(colours_.back(), d65_white));
             peaks_nm_.push_back(measured_peak_nm(spectra, angle));
         }
         start(picks, solve);
@@ -122,7 +121,7 @@ private:
 
     Lab shown(const Lobe& lobe) const {
         return to_lab(adapt(light_.adaptation, lobe_to_xyz(light_.weights, lobe.peak_nm, lobe.width_nm, lobe.height)),
-                      d65);
+                      d65_white);
     }
 
     // Where the spectrum is nearly black, its peak is noise.

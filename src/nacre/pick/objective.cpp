@@ -14,8 +14,6 @@
 namespace nacre {
 namespace {
 
-constexpr Xyz d65 = xyz_from_chromaticity(d65_chromaticity);
-
 // Steps of least squares: to estimate a local minimum, and to reach it.
 constexpr int few_steps = 8;
 constexpr int many_steps = 40;
@@ -39,7 +37,7 @@ bool are_near(const Design& one, const Design& other) {
 Objective::Objective(const MechanismSearch& search, const Light& light, const LeastSquaresSolver& solve)
     : search_(search), solve_(solve), shown_(light, places_of(search)) {
     for (const WantedColour& wanted : search.wanted) {
-        wanted_.push_back(to_lab(wanted.colour, d65));
+        wanted_.push_back(to_lab(wanted.colour, d65_white));
         total_weight_ += wanted.weight;
     }
 }
@@ -69,7 +67,7 @@ Design Objective::rounded(Design design) const {
 double Objective::error_of(std::span<const Xyz> shown) const {
     double sum = 0.0;
     for (std::size_t i = 0; i < shown.size(); ++i) {
-        const double de00 = ciede2000(wanted_[i], to_lab(shown[i], d65));
+        const double de00 = ciede2000(wanted_[i], to_lab(shown[i], d65_white));
         sum += search_.wanted[i].weight * de00 * de00;
     }
     // A result that is not finite is not an answer and sorts last.
@@ -94,7 +92,7 @@ std::vector<std::size_t> Objective::moving_numbers() const {
 
 void Objective::fill(std::span<const Xyz> shown, std::span<double> residuals) const {
     for (std::size_t i = 0; i < shown.size(); ++i) {
-        const auto parts = ciede2000_parts(wanted_[i], to_lab(shown[i], d65));
+        const auto parts = ciede2000_parts(wanted_[i], to_lab(shown[i], d65_white));
         const double scale = std::sqrt(search_.wanted[i].weight / total_weight_);
         for (std::size_t part = 0; part < parts.size(); ++part)
             residuals[parts.size() * i + part] = scale * parts[part];
@@ -160,7 +158,7 @@ Objective::Settled Objective::settled_colours(const Mechanism& mechanism, double
         std::vector<Xyz> finer = colours(times);
         double moved = 0.0;
         for (std::size_t i = 0; i < finer.size(); ++i)
-            moved = std::max(moved, ciede2000(to_lab(settled.shown[i], d65), to_lab(finer[i], d65)));
+            moved = std::max(moved, ciede2000(to_lab(settled.shown[i], d65_white), to_lab(finer[i], d65_white)));
         settled = {std::move(finer), times};
         if (moved <= settled_de00) break;
     }
@@ -175,7 +173,7 @@ FoundMechanism Objective::judged(const Design& design) {
     constexpr int most_times = 64;
     found.reached = settled_colours(found.mechanism, settled_de00, most_times).shown;
     for (std::size_t i = 0; i < found.reached.size(); ++i)
-        found.de00.push_back(ciede2000(wanted_[i], to_lab(found.reached[i], d65)));
+        found.de00.push_back(ciede2000(wanted_[i], to_lab(found.reached[i], d65_white)));
     found.error = error_of(found.reached);
     return found;
 }

@@ -4,12 +4,10 @@
 #include <cmath>
 #include <cstddef>
 
+#include "nacre/colour/xyz_sums.h"
+
 namespace nacre {
 namespace {
-
-void add(Xyz& sum, double factor, const Xyz& term) {
-    sum = {sum.x + factor * term.x, sum.y + factor * term.y, sum.z + factor * term.z};
-}
 
 Xyz weight_at(const TristimulusWeights& weights, double nm) {
     const double position = nm - weights.first_nm;

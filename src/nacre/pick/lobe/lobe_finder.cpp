@@ -14,8 +14,6 @@
 namespace nacre {
 namespace {
 
-constexpr Xyz white = xyz_from_chromaticity(d65_chromaticity);
-
 // What comes as near as this may be exact after all.
 constexpr double is_near = 0.5;
 
@@ -26,7 +24,7 @@ LobeFinder::LobeFinder(const TristimulusWeights& weights, const LobeMoments& mom
     : colours_(weights, moments, adaptation), roots_(colours_), nearest_(colours_, solve), solve_(std::move(solve)) {}
 
 LobeMatch LobeFinder::match(const Lab& target, LobePlace place, double height) const {
-    const Lab lab = to_lab(scaled(colours_.exact(place), height), white);
+    const Lab lab = to_lab(scaled(colours_.exact(place), height), d65_white);
     return {place.peak_nm, place.width_nm(), height, ciede2000(target, lab), LobeMiss::none};
 }
 
@@ -65,7 +63,7 @@ LobeMatch LobeFinder::find(Xyz colour) const {
     const double middle_nm = 0.5 * (colours_.first_nm() + colours_.last_nm());
     if (std::abs(colour.x) + std::abs(colour.y) + std::abs(colour.z) < black) return {middle_nm, 0.0, 0.0, 0.0, {}};
 
-    const Lab target = to_lab(colour, white);
+    const Lab target = to_lab(colour, d65_white);
     LobeMatch best;
     LobeRoots::Found roots;
     const bool has_chromaticity = colour.y > 0.0 && colour.x + 15.0 * colour.y + 3.0 * colour.z > 0.0;

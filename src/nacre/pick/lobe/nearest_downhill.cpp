@@ -14,8 +14,6 @@ namespace {
 
 using Vector = Quadratic::Vector;
 
-constexpr Xyz white = xyz_from_chromaticity(d65_chromaticity);
-
 // Variables are peak, width and root of the height, in steps of these sizes, of which all three count about alike. The
 // width itself rather than its root: valleys along which the visible end of a lobe stays where it is are straight.
 constexpr Vector unit{10.0, 30.0, 0.05};
@@ -166,9 +164,9 @@ Model Walk::model_at(const Vector& place, double side, double lean) const {
     for (std::size_t i = 0; i < lobe_count; ++i) {
         const auto [later, wider] = beside[i];
         const Xyz colour = colours_.fast(lobe(peak + reach * later, width + reach * (wider - lean * later)));
-        ratios[i] = static_cast<float>(colour.x / white.x);
+        ratios[i] = static_cast<float>(colour.x / d65_white.x);
         ratios[lobe_count + i] = static_cast<float>(colour.y);
-        ratios[2 * lobe_count + i] = static_cast<float>(colour.z / white.z);
+        ratios[2 * lobe_count + i] = static_cast<float>(colour.z / d65_white.z);
     }
     cube_roots(ratios.data(), 3 * lobe_count);
     look_across(ratios.data(), side, model);

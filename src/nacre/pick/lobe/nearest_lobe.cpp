@@ -13,10 +13,8 @@
 namespace nacre {
 namespace {
 
-constexpr Xyz white = xyz_from_chromaticity(d65_chromaticity);
-
 constexpr double narrowest_spread = 0.1;
-constexpr auto least_root = static_cast<float>(DimmedLobe::least_root);
+constexpr auto least_single_root = static_cast<float>(DimmedLobe::least_root);
 
 double spread_at(double index, std::size_t count) {
     return std::lerp(narrowest_spread, 1.0, index / static_cast<double>(count - 1));
@@ -42,9 +40,9 @@ NearestLobe::NearestLobe(const LobeColours& colours, LeastSquaresSolver solve)
         const double peak_nm = std::lerp(colours.first_nm(), colours.last_nm(), along);
         for (std::size_t j = 0; j < spreads; ++j) {
             const Xyz colour = colours.exact({peak_nm, spread_at(static_cast<double>(j), spreads)});
-            x_[i * spreads + j] = static_cast<float>(colour.x / white.x);
+            x_[i * spreads + j] = static_cast<float>(colour.x / d65_white.x);
             y_[i * spreads + j] = static_cast<float>(colour.y);
-            z_[i * spreads + j] = static_cast<float>(colour.z / white.z);
+            z_[i * spreads + j] = static_cast<float>(colour.z / d65_white.z);
         }
     }
     for (std::vector<float>* ratios : {&x_, &y_, &z_}) cube_roots(ratios->data(), count);
@@ -116,7 +114,8 @@ std::size_t NearestLobe::seeds_in(const Lab& target, const TableView& view, cons
 void NearestLobe::look_over_table(const Lab& target, TableView& view) const {
     const auto target_root = static_cast<float>(root_of_lightness(target.l));
     std::array<float, table_size> even, factor, square;
-    for (std::size_t i = 0; i < even.size(); ++i) even[i] = std::clamp(target_root * per_y_[i], least_root, 1.0F);
+    for (std::size_t i = 0; i < even.size(); ++i)
+        even[i] = std::clamp(target_root * per_y_[i], least_single_root, 1.0F);
     const RootColours lobes{x_.data(), y_.data(), z_.data(), even.data(), count};
     many_differences(target, lobes, view.square.data());
     view.share.fill(1.0F);
@@ -124,7 +123,7 @@ void NearestLobe::look_over_table(const Lab& target, TableView& view) const {
     constexpr double dark = 35.0;
     if (target.l >= dark) return;
     for (const float share : {0.75F, 0.5F}) {
-        for (std::size_t i = 0; i < factor.size(); ++i) factor[i] = std::max(share * even[i], least_root);
+        for (std::size_t i = 0; i < factor.size(); ++i) factor[i] = std::max(share * even[i], least_single_root);
         many_differences(target, {x_.data(), y_.data(), z_.data(), factor.data(), count}, square.data());
         for (std::size_t i = 0; i < count; ++i) {
             const bool is_nearer = square[i] < view.square[i];

@@ -11,10 +11,8 @@
 namespace nacre {
 namespace {
 
-constexpr Xyz white = xyz_from_chromaticity(d65_chromaticity);
-
 Lab lab_of(const LobeColours& colours, const DimmedLobe& lobe) {
-    return to_lab(scaled(colours.exact(lobe.place), lobe.height()), white);
+    return to_lab(scaled(colours.exact(lobe.place), lobe.height()), d65_white);
 }
 
 // Where a colour lies beside the hue that is opposite to the target's.

@@ -16,7 +16,7 @@ namespace nacre {
 namespace {
 
 constexpr Allowed allowed_tilt{0.0, 60.0, "degrees"};  // shadows are left out (tilt.h); beyond this they rule
-constexpr Allowed allowed_reflectance{0.0, 1.0};
+constexpr Allowed allowed_base_reflectance{0.0, 1.0};
 
 struct PolarisationChoice {
     Polarisation polarisation;
@@ -102,7 +102,7 @@ std::vector<Parameter> effect_parameters(const Mechanism& mechanism) {
     }
     const auto& base = mechanism.effects.base;
     if (base && std::holds_alternative<GreyBase>(*base)) {
-        parameters.push_back({"base.reflectance", "reflectance of the base", allowed_reflectance,
+        parameters.push_back({"base.reflectance", "reflectance of the base", allowed_base_reflectance,
                               [](Mechanism& m, double value) { m.effects.base = GreyBase{value}; }});
     }
     return parameters;

@@ -14,7 +14,7 @@ namespace nacre {
 namespace {
 
 constexpr Allowed allowed_coefficient{-1e30, 1e30};
-constexpr Allowed allowed_wavelength{1.0, 1e9, "nm"};
+constexpr Allowed allowed_index_wavelength{1.0, 1e9, "nm"};
 constexpr Allowed allowed_formula{1, 9};
 constexpr std::size_t most_rows = 100000;
 
@@ -45,7 +45,7 @@ SampledCurve read_curve(const Table& table, std::string_view wavelengths_key, st
         table.fail(table.where(), std::string(wavelengths == nullptr ? wavelengths_key : key) +
                                       " is missing; give an array of numbers");
     }
-    SampledCurve curve{read_numbers(table, wavelengths_key, *wavelengths, allowed_wavelength),
+    SampledCurve curve{read_numbers(table, wavelengths_key, *wavelengths, allowed_index_wavelength),
                        read_numbers(table, key, *values, allowed)};
     if (curve.value.size() != curve.wavelength_nm.size() || curve.value.size() < 2) {
         table.fail(values->where, std::string(wavelengths_key) + " has " + std::to_string(curve.wavelength_nm.size()) +
@@ -119,7 +119,7 @@ IndexFormula read_formula(const Table& table) {
 void read_range(const Table& table, IndexCurve& curve) {
     const Value* range = table.find("range_nm");
     if (range == nullptr) return;
-    const std::vector<double> ends = read_numbers(table, "range_nm", *range, allowed_wavelength);
+    const std::vector<double> ends = read_numbers(table, "range_nm", *range, allowed_index_wavelength);
     if (ends.size() != 2 || !(ends[0] < ends[1]))
         table.fail(range->where, "range_nm is no interval; give [first, last], the first smaller");
     curve.first_nm = std::max(curve.first_nm, ends[0]);

@@ -4,7 +4,7 @@
 namespace nacre {
 namespace {
 
-std::string list_text(const std::vector<double>& numbers) {
+std::string numbers_text(const std::vector<double>& numbers) {
     std::string text;
     for (const double number : numbers) text += (text.empty() ? "" : ", ") + number_text(number);
     return "[" + text + "]";
@@ -12,10 +12,11 @@ std::string list_text(const std::vector<double>& numbers) {
 
 std::string n_toml(const IndexCurve& curve) {
     if (const auto* formula = std::get_if<IndexFormula>(&curve.n)) {
-        return "formula = " + std::to_string(formula->number) + ", coefficients = " + list_text(formula->coefficients);
+        return "formula = " + std::to_string(formula->number) +
+               ", coefficients = " + numbers_text(formula->coefficients);
     }
     if (const auto* table = std::get_if<SampledCurve>(&curve.n))
-        return "wavelength_nm = " + list_text(table->wavelength_nm) + ", n = " + list_text(table->value);
+        return "wavelength_nm = " + numbers_text(table->wavelength_nm) + ", n = " + numbers_text(table->value);
     return "n = " + number_text(std::get<double>(curve.n));
 }
 
@@ -27,8 +28,8 @@ std::string k_toml(const IndexCurve& curve) {
     }
     const auto* n = std::get_if<SampledCurve>(&curve.n);
     const bool shares_grid = n != nullptr && n->wavelength_nm == table->wavelength_nm;
-    const std::string grid = shares_grid ? "" : ", k_wavelength_nm = " + list_text(table->wavelength_nm);
-    return grid + ", k = " + list_text(table->value);
+    const std::string grid = shares_grid ? "" : ", k_wavelength_nm = " + numbers_text(table->wavelength_nm);
+    return grid + ", k = " + numbers_text(table->value);
 }
 
 }  // namespace

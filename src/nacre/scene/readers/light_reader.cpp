@@ -20,7 +20,7 @@ namespace {
 constexpr Allowed allowed_nm{cie_table_first_nm, cie_table_last_nm, "nm"};
 constexpr Allowed any_power{0.0, 1e30};
 constexpr Allowed any_wavelength{1.0, 1e6, "nm"};
-constexpr std::size_t most_samples = 100000;
+constexpr std::size_t most_light_samples = 100000;
 
 void read_range(const Table& table, LightSettings& settings) {
     const Value* range = table.find("range_nm");
@@ -48,10 +48,10 @@ SampledCurve read_inline_curve(const Table& table) {
     };
     SampledCurve curve{numbers("wavelength_nm", any_wavelength), numbers("power", any_power)};
     if (curve.wavelength_nm.size() != curve.value.size() || curve.value.size() < 2 ||
-        curve.value.size() > most_samples) {
+        curve.value.size() > most_light_samples) {
         table.fail(table.where(), "wavelength_nm has " + std::to_string(curve.wavelength_nm.size()) +
                                       " numbers and power " + std::to_string(curve.value.size()) +
-                                      "; allowed: as many of each, 2 to " + std::to_string(most_samples));
+                                      "; allowed: as many of each, 2 to " + std::to_string(most_light_samples));
     }
     if (std::adjacent_find(curve.wavelength_nm.begin(), curve.wavelength_nm.end(), std::greater_equal<>()) !=
         curve.wavelength_nm.end()) {
@@ -101,7 +101,8 @@ void check_power(const Table& table, const LightSettings& settings) {
         fail("covers " + number_text(nm.front()) + " to " + number_text(nm.back()) + " nm; range_nm needs " +
              std::to_string(settings.first_nm) + " to " + std::to_string(settings.last_nm) + " nm");
     }
-    if (power.size() > most_samples) fail("has more than " + std::to_string(most_samples) + " values in range_nm");
+    if (power.size() > most_light_samples)
+        fail("has more than " + std::to_string(most_light_samples) + " values in range_nm");
     for (std::size_t i = 0; i < power.size(); ++i) {
         if (power[i] >= any_power.low && power[i] <= any_power.high) continue;
         fail("is " + number_text(power[i]) + " at " + number_text(nm[i]) + " nm; power is 0 to " +

@@ -11,10 +11,10 @@
 namespace nacre {
 namespace {
 
-constexpr Allowed allowed_wavelength{1.0, 1e6, "nm"};
+constexpr Allowed allowed_measured_wavelength{1.0, 1e6, "nm"};
 constexpr Allowed allowed_angle{0.0, 90.0, "degrees"};
 // Beside a matt white standard a glossy one may have several times as much; a hundred times is a percentage.
-constexpr Allowed allowed_reflectance{0.0, 10.0};
+constexpr Allowed allowed_measured_reflectance{0.0, 10.0};
 constexpr std::size_t most_values = 1000000;  // chosen: 8 MB, far more than any instrument gives
 
 constexpr std::array<std::string_view, 3> number_keys{"wavelength_nm", "angle_deg", "reflectance"};
@@ -25,7 +25,8 @@ const Value& required(const Table& table, std::string_view key, std::string_view
     return *value;
 }
 
-std::vector<double> read_numbers(const Table& table, std::string_view key, const Value& value, const Allowed& allowed) {
+std::vector<double> read_measured_numbers(const Table& table, std::string_view key, const Value& value,
+                                          const Allowed& allowed) {
     std::vector<double> numbers;
     for (const Value& element : table.checked_array(key, value))
         numbers.push_back(table.checked_number(key, element, allowed));
@@ -35,7 +36,7 @@ std::vector<double> read_numbers(const Table& table, std::string_view key, const
 std::vector<double> read_ascending(const Table& table, std::string_view key, const Allowed& allowed,
                                    std::size_t least) {
     const Value& value = required(table, key, "give an array of numbers");
-    std::vector<double> numbers = read_numbers(table, key, value, allowed);
+    std::vector<double> numbers = read_measured_numbers(table, key, value, allowed);
     if (numbers.size() < least || numbers.size() > most_values) {
         table.fail(value.where, std::string(key) + " has " + std::to_string(numbers.size()) + " numbers; allowed " +
                                     std::to_string(least) + " to " + std::to_string(most_values));
@@ -61,7 +62,8 @@ std::vector<double> read_rows(const Table& table, const MeasuredSpectra& spectra
     }
     std::vector<double> reflectance;
     for (const Value& element : list) {
-        const std::vector<double> row = read_numbers(table, "reflectance", element, allowed_reflectance);
+        const std::vector<double> row =
+            read_measured_numbers(table, "reflectance", element, allowed_measured_reflectance);
         if (row.size() != wavelengths) {
             table.fail(element.where, "reflectance has " + std::to_string(row.size()) + " numbers in this row; give " +
                                           std::to_string(wavelengths) + ", one per wavelength_nm");
@@ -79,7 +81,7 @@ MeasuredSpectra read_inline(const Table& table) {
     // No short-circuit: each of them becomes known.
     if (std::count_if(number_keys.begin(), number_keys.end(), is_given) == 0)
         table.fail_missing("file", "name a .csv, or give wavelength_nm, angle_deg and reflectance");
-    spectra.wavelength_nm = read_ascending(table, "wavelength_nm", allowed_wavelength, 2);
+    spectra.wavelength_nm = read_ascending(table, "wavelength_nm", allowed_measured_wavelength, 2);
     spectra.angle_deg = read_ascending(table, "angle_deg", allowed_angle, 1);
     spectra.reflectance = read_rows(table, spectra);
     return spectra;

@@ -39,7 +39,7 @@ template <std::size_t... Index>
 constexpr auto rows(std::index_sequence<Index...>) {
     return std::array{&row<std::variant_alternative_t<Index, MechanismModel>>()...};
 }
-constexpr auto readers = rows(std::make_index_sequence<std::variant_size_v<MechanismModel>>());
+constexpr auto all_readers = rows(std::make_index_sequence<std::variant_size_v<MechanismModel>>());
 
 // Table::find() would offer the key for misspellings of others.
 bool has_picks(const Table& table) {
@@ -50,7 +50,7 @@ bool has_picks(const Table& table) {
 }  // namespace
 
 const MechanismReader& reader_at(std::size_t index) {
-    return *readers[index];
+    return *all_readers[index];
 }
 
 const MechanismReader& reader_of(const Mechanism& mechanism) {

@@ -20,6 +20,7 @@ Command cost_command();
 Command spectrum_command();
 Command verify_command();
 Command pick_command();
+Command list_command();
 Command snippet_command();
 Command figures_command();
 

@@ -121,7 +121,7 @@ TEST(BadCommandLine, UnknownNameOfOnlyIsAnError) {
     error_of({"bake", "s.toml", "--fast"}, folder, 2);
     EXPECT_EQ(error_of({"frobnicate"}, folder, 2),
               "nacre: unknown command \"frobnicate\"; known: bake, swatch, plan, cost, spectrum, pick, verify, "
-              "snippet, figures\n");
+              "list, snippet, figures\n");
     error_of({"snippet", "wgsl"}, folder, 2);
 }
 

@@ -174,6 +174,13 @@ std::vector<std::string> ColourConfig::colour_spaces() const {
     return space_names(impl_->opened.config, OCIO::COLORSPACE_ACTIVE);
 }
 
+std::string ColourConfig::about(const std::string& name) const {
+    const auto space = impl_->opened.config->getColorSpace(name.c_str());
+    if (!space) return {};
+    const std::string text = one_line(space->getDescription());
+    return text.substr(0, text.find(". "));
+}
+
 std::vector<std::string> ColourConfig::displays() const {
     std::vector<std::string> names;
     for (int i = 0; i < impl_->opened.config->getNumDisplays(); ++i)

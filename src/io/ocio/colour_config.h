@@ -38,6 +38,8 @@ public:
 
     /// The active ones, scene-referred first, otherwise in the config's order; data left out.
     std::vector<std::string> colour_spaces() const;
+    /// The first sentence of what the config says of a colour space; empty if it says nothing, or has no such space.
+    std::string about(const std::string& name) const;
     std::vector<std::string> displays() const;
     /// @throws Error for an unknown display
     std::vector<std::string> views(const std::string& display) const;

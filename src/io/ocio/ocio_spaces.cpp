@@ -16,6 +16,7 @@ public:
     const std::string& description() const override { return config_.description(); }
     const std::string& content_hash() const override { return config_.content_hash(); }
     std::vector<std::string> names() const override { return config_.colour_spaces(); }
+    std::string about(const std::string& name) const override { return config_.about(name); }
     std::vector<std::string> displays() const override { return config_.displays(); }
     std::vector<std::string> views(const std::string& display) const override { return config_.views(display); }
 

@@ -28,6 +28,8 @@ public:
 
     /// Names of the colour spaces that a scene can be baked in.
     virtual std::vector<std::string> names() const = 0;
+    /// Half a line about one of them; empty where nothing is known.
+    virtual std::string about(const std::string& name) const = 0;
     /// Names of the displays, and of the views of each.
     virtual std::vector<std::string> displays() const = 0;
     /// @throws Error for an unknown display

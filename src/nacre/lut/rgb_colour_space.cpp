@@ -101,6 +101,13 @@ public:
         for (const KnownRgbSpace& space : known_rgb_spaces()) names.emplace_back(space.name);
         return names;
     }
+    std::string about(const std::string& name) const override {
+        for (const KnownRgbSpace& space : known_rgb_spaces()) {
+            if (space.name != name) continue;
+            return "linear" + (space.alias.empty() ? std::string() : ", also called " + std::string(space.alias));
+        }
+        return {};
+    }
     std::vector<std::string> displays() const override { return {std::string(display_name)}; }
     std::vector<std::string> views(const std::string& display) const override {
         check_display(display, "views");

@@ -108,9 +108,8 @@ struct Tally {
     int report(Console& console) const {
         if (outside_gamut > 0) {
             console.warning(std::to_string(outside_gamut) + (outside_gamut == 1 ? " LUT has" : " LUTs have") +
-                            " negative components, because the colour lies outside the target's gamut; [colour] gamut "
-                            "= \"clip\" or "
-                            "\"compress\" removes them, a wider space keeps the colour");
+                            " negative components: the colour lies outside the gamut of the colour space; [colour] "
+                            "gamut = \"clip\" or \"compress\" removes them, and a wider space keeps the colour");
         }
         if (console.json()) console.result_json(Json{{"luts", luts}, {"swatches", swatches}, {"failures", failures}});
         if (misses_bound) return exit_not_verified;

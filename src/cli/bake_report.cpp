@@ -2,12 +2,12 @@
 
 #include <cmath>
 #include <cstddef>
-#include <string_view>
 
 #include "cli/report.h"
 #include "nacre/accuracy/choose_sampling.h"
 #include "nacre/base/text.h"
 #include "nacre/lut/formats.h"
+#include "nacre/lut/gamut.h"
 #include "nacre/lut/job.h"
 #include "nacre/lut/planned_lut.h"
 #include "nacre/scene/output_names.h"
@@ -22,8 +22,15 @@ std::string accuracy_text(const PlannedLut& lut, const BakedLut& baked) {
     return "dE00 " + short_number(*baked.reached) + (lut.wish.has_bound ? " of " + number_text(lut.wish.max_de00) : "");
 }
 
-std::string_view gamut_text(Gamut rule) {
-    return rule == Gamut::keep ? "kept" : rule == Gamut::clip ? "clipped" : "compressed";
+// "25 % of texels are negative (minimum -0.060)", and what was done about it.
+std::string gamut_text(const Job& job, const GamutReport& gamut, Gamut rule) {
+    const double texels = static_cast<double>(job.width) * job.height;
+    const std::string share = significant_text(100.0 * static_cast<double>(gamut.outside) / texels, 2);
+    return share + " % of texels " + (rule == Gamut::keep ? "are" : "were") + " negative (minimum -" +
+           short_number(-gamut.most_negative) + ")" +
+           (rule == Gamut::clip       ? ", clipped"
+            : rule == Gamut::compress ? ", compressed"
+                                      : "");
 }
 
 std::string lut_line(const BakeTask& task, const BakedLut& baked) {
@@ -31,12 +38,7 @@ std::string lut_line(const BakeTask& task, const BakedLut& baked) {
     std::string line = output_files(lut).front() + "  " + size_text(lut.job) + " " +
                        std::string(name_of(format_words, lut.format)) + "  " + task.scene->space->name() + "  " +
                        accuracy_text(lut, baked);
-    if (baked.gamut.outside > 0) {
-        const int texels = lut.job.width * lut.job.height;
-        line += "  " + std::to_string(baked.gamut.outside) + " of " + std::to_string(texels) +
-                " texels out of gamut by up to " + short_number(-baked.gamut.most_negative) + ", " +
-                std::string(gamut_text(task.scene->plan.colour.gamut));
-    }
+    if (baked.gamut.outside > 0) line += "  " + gamut_text(lut.job, baked.gamut, task.scene->plan.colour.gamut);
     for (const EffectChoice& choice : task.decided->lut.effects) {
         if (!choice.is_simulated && choice.is_measured)
             line +=

@@ -24,6 +24,7 @@
 
 #include "nacre/accuracy/choose_sampling.h"
 #include "nacre/accuracy/settle.h"
+#include "nacre/accuracy/survey.h"
 #include "nacre/colour/illuminant.h"
 #include "nacre/lut/bake.h"
 #include "nacre/lut/planned_lut.h"

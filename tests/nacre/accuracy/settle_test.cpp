@@ -375,11 +375,11 @@ TEST(Settle, TakesNoMoreEvaluationsThanItDid) {
         return work;
     };
     EXPECT_EQ(test::without_effects(settle(wished_lut(test::job_of(test::morpho), 0.1), encoding).work),
-              work_of(12164, 2128, 2174, 12080));
+              work_of(14189, 2109, 12080));
     EXPECT_EQ(test::without_effects(settle(wished_lut(test::job_of(test::beetle), 0.01), encoding).work),
-              work_of(9650, 1385, 1406, 9541));
+              work_of(10882, 1341, 9541));
     EXPECT_EQ(test::without_effects(settle(wished_lut(width_plane(), 1.0), encoding).work),
-              work_of(118700, 7587, 8108, 118051));
+              work_of(125574, 7523, 118051));
 }
 
 }  // namespace

@@ -20,7 +20,6 @@
 #include "nacre/material/mechanism.h"
 #include "nacre/scene/output_names.h"
 #include "nacre/scene/plan.h"
-#include "nacre/shade/integral.h"
 #include "pipeline/manifest.h"
 
 namespace nacre {
@@ -51,17 +50,15 @@ void add_sampling(Json& json, const Job& job) {
     json["wavelengths"] = Json();
     if (job.light->settings.wavelengths) {
         json["wavelengths"] = *job.light->settings.wavelengths;
-    } else if (std::holds_alternative<Palette>(job.material.mechanism)) {
-        json["integral"] = name_of(integral_words, job.integral);
     } else if (samples_spectra(job.material.mechanism)) {
-        json["nodes"] = job.sampling.node_counts();
+        json["nodes"] = job.sampling.counts().nodes;
     }
-    if (job.sampling.realisations > 1) json["realisations"] = job.sampling.realisations;
+    if (job.sampling.thickness_samples > 1) json["thickness_samples"] = job.sampling.thickness_samples;
     if (std::holds_alternative<Crystal>(job.material.mechanism)) json["slices"] = job.sampling.slices;
     const EffectSet effects = effects_in(job);
     if (effects.has(Effect::base) && !job.without.has(Effect::base) && is_layered(job.material.mechanism))
-        json["base_directions"] = job.sampling.hemisphere;
-    if (job.sampling.sizes > 1) json["radii"] = job.sampling.sizes;
+        json["base_directions"] = job.sampling.base_directions;
+    if (job.sampling.radii > 1) json["radii"] = job.sampling.radii;
 }
 
 void add_picks(Json& json, const Plan& plan, const std::string& name) {

@@ -40,7 +40,6 @@ Json work_json(const Work& work) {
                              {"polarisations", effect.polarisations}};
     }
     return {{"exact_integrals", work.exact_integrals},
-            {"fast_integrals", work.fast_integrals},
             {"spectra", work.spectra},
             {"samples", work.samples},
             {"texels", work.texels},

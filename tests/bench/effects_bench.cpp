@@ -20,7 +20,6 @@
 #include "nacre/base/gauss_points.h"
 #include "nacre/cost/rivals.h"
 #include "nacre/lut/planned_lut.h"
-#include "nacre/shade/integral.h"
 #include "nacre/shade/layered_colour.h"
 #include "nacre/shade/prepared_colour.h"
 #include "nacre/shade/tilt.h"
@@ -60,7 +59,7 @@ void compare(benchmark::State& state, const Job& job, const Job& plain, const Wa
 Colours facet_by_facet(const Job& job, TiltPoints points) {
     Mechanism flat = job.material.mechanism;
     const double tilt_deg = std::exchange(flat.effects.tilt_deg, 0.0);
-    PreparedColour prepared = prepare_colour(flat, job.sampling, *job.light, Integral::exact);
+    PreparedColour prepared = prepare_colour(flat, job.sampling, *job.light);
     Work work;
     Colours colours;
     for (int i = 0; i < texels; ++i) {
@@ -98,7 +97,7 @@ void tilted_palette(benchmark::State& state) {
 // Layers, at every nanometre.
 Colours at_every_nm(Job job, int hemisphere) {
     job.sampling.nodes.fill(std::make_shared<const SpectralNodes>(sum_nodes(*job.light, 1)));
-    job.sampling.hemisphere = hemisphere;
+    job.sampling.base_directions = hemisphere;
     return colours_of(bake(job));
 }
 void film_on_a_base(benchmark::State& state) {
@@ -106,11 +105,11 @@ void film_on_a_base(benchmark::State& state) {
     mechanism.effects.base = GreyBase{0.3};
     const Job job = decided(mechanism);
     Job better = job;
-    better.sampling.hemisphere = 64;
+    better.sampling.base_directions = 64;
     better.sampling.nodes.fill(std::make_shared<const SpectralNodes>(make_spectral_nodes(job.light->weights, 2048)));
     compare(
         state, job, decided(film()), [&] { return at_every_nm(job, 16); }, [&] { return colours_of(bake(better)); });
-    state.counters["directions"] = job.sampling.hemisphere;
+    state.counters["directions"] = job.sampling.base_directions;
 }
 
 // Films whose thicknesses are as many points of a rule, or as many draws.
@@ -119,7 +118,7 @@ Colours mean_film(const Job& job, const std::vector<GaussPoint>& deviations) {
     const double spread_nm = std::exchange(one.thickness_spread_nm, 0.0);
     const double mean_nm = one.thickness_nm;
     SpectralSampling sampling = job.sampling;
-    sampling.realisations = 1;
+    sampling.thickness_samples = 1;
     Colours mean(texels);
     for (const GaussPoint& deviation : deviations) {
         one.thickness_nm = std::max(0.0, mean_nm + spread_nm * deviation.at);
@@ -145,10 +144,10 @@ void film_of_uneven_thickness(benchmark::State& state) {
     Mechanism mechanism = film();
     std::get<Film>(mechanism).thickness_spread_nm = 30.0;
     const Job job = decided(mechanism);
-    const Way drawn = [&] { return mean_film(job, draws(job.sampling.realisations)); };
+    const Way drawn = [&] { return mean_film(job, draws(job.sampling.thickness_samples)); };
     const Way truth = [&] { return mean_film(job, normal_points(256)); };
     compare(state, job, decided(film()), drawn, truth);
-    state.counters["films"] = job.sampling.realisations;
+    state.counters["films"] = job.sampling.thickness_samples;
     // What a rule for one variable does with few of them.
     state.counters["8_points_dE00"] = largest_difference(mean_film(job, normal_points(8)), truth());
 }

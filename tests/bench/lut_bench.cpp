@@ -7,7 +7,6 @@
 #include "nacre/lut/planned_lut.h"
 #include "nacre/lut/snippet.h"
 #include "nacre/scene/readers/axis_reader.h"
-#include "nacre/shade/integral.h"
 #include "pipeline/baked_lut.h"
 
 namespace nacre {
@@ -32,22 +31,17 @@ SettledLut settle_at_256(PlannedLut lut, const ColourTransform& transform) {
 }
 
 // What a palette swatch bakes: 400 x 400 lobes of one pick, over width and height.
-Job swatch_job(Integral integral) {
+Job swatch_job() {
     Job job = planned_lut({}).job;
     Palette& palette = std::get<Palette>(job.material.mechanism);
     palette.picks.resize(1);
     job.x = parameter_axis(palette, "width_nm", 0.0, 200.0);
     job.y = parameter_axis(palette, "height", 0.0, 1.0);
     job.width = job.height = 400;
-    job.integral = integral;
     return job;
 }
-void swatch_400_fast(benchmark::State& state) {
-    const Job job = swatch_job(Integral::fast);
-    for (auto _ : state) benchmark::DoNotOptimize(bake(job));
-}
-void swatch_400_exact(benchmark::State& state) {
-    const Job job = swatch_job(Integral::exact);
+void swatch_400(benchmark::State& state) {
+    const Job job = swatch_job();
     for (auto _ : state) benchmark::DoNotOptimize(bake(job));
 }
 
@@ -61,11 +55,6 @@ void decide_for_bound_of_0_1(benchmark::State& state) {
 
 void lut_256_exact(benchmark::State& state) {
     const PlannedLut lut = planned_lut({});
-    for (auto _ : state) benchmark::DoNotOptimize(bake(lut.job));
-}
-void lut_256_fast(benchmark::State& state) {
-    PlannedLut lut = planned_lut({});
-    lut.job.integral = Integral::fast;
     for (auto _ : state) benchmark::DoNotOptimize(bake(lut.job));
 }
 void lut_256_sampled_at_1nm(benchmark::State& state) {
@@ -82,13 +71,11 @@ void lut_256_to_exr_bytes(benchmark::State& state) {
     }
 }
 
-BENCHMARK(lut_256_fast)->Unit(benchmark::kMicrosecond);
 BENCHMARK(lut_256_exact)->Unit(benchmark::kMicrosecond);
 BENCHMARK(lut_256_sampled_at_1nm)->Unit(benchmark::kMicrosecond);
 BENCHMARK(lut_256_to_exr_bytes)->Unit(benchmark::kMicrosecond);
 BENCHMARK(decide_for_bound_of_0_1)->Unit(benchmark::kMicrosecond);
-BENCHMARK(swatch_400_fast)->Unit(benchmark::kMillisecond);
-BENCHMARK(swatch_400_exact)->Unit(benchmark::kMillisecond);
+BENCHMARK(swatch_400)->Unit(benchmark::kMillisecond);
 
 }  // namespace
 }  // namespace nacre

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "nacre/accuracy/choose_sampling.h"
-#include "nacre/colour/colour_distance.h"
+#include "nacre/colour/difference.h"
 #include "nacre/colour/illuminant.h"
 #include "nacre/lut/bake.h"
 #include "nacre/lut/job.h"
@@ -60,7 +60,7 @@ inline double largest_difference(const Colours& one, const Colours& truth) {
     for (const Xyz& colour : truth) brightest = std::max(brightest, colour.y);
     double largest = 0.0;
     for (std::size_t i = 0; i < truth.size(); ++i)
-        largest = std::max(largest, distance_at(one[i], truth[i], brightest));
+        largest = std::max(largest, difference_at(one[i], truth[i], display_scale(brightest)));
     return largest;
 }
 

@@ -309,7 +309,7 @@ void lut_256_of_20_layers(benchmark::State& state) {
     state.counters["ms_1nm_scalar"] = 1e3 * theirs / luts;
     state.counters["ratio_to_1nm"] = same_solver / ours;
     state.counters["ratio_to_scalar"] = theirs / ours;
-    state.counters["nodes"] = job.sampling.node_counts().front();
+    state.counters["nodes"] = job.sampling.counts().nodes.front();
     state.counters["spectrum_dE00"] = settled.predicted.spectrum;
     state.counters["texels"] = job.width;
 }

@@ -91,8 +91,8 @@ void scattering(benchmark::State& state, double radius_spread) {
     }
     state.counters["us"] = 1e6 * ours / static_cast<double>(state.iterations());
     state.counters["set_up"] = set_up / ours;  // the part that spheres take
-    state.counters["nodes"] = job.sampling.node_counts().front();
-    state.counters["sizes"] = job.sampling.sizes;
+    state.counters["nodes"] = job.sampling.counts().nodes.front();
+    state.counters["sizes"] = job.sampling.radii;
     state.counters["ratio_1nm"] = theirs / ours;
     state.counters["difference_dE00"] = largest_difference(colours_of(bake(job)), colours_of(bake(every_nm)));
 }

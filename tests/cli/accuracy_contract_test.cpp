@@ -301,7 +301,7 @@ TEST(ReferencePalette, TexelsOfAFixedSizeAreWhatItSays) {
         const Model model(scene);
         const Pixels own = reference::make_lut(colours_of(model), 32, scene.y ? 8 : 1, StoredAs::single_float);
         ASSERT_EQ(written->pixels.rgb.size(), own.rgb.size()) << scene.name;
-        // Single precision, and the fast integral.
+        // Single precision.
         for (std::size_t i = 0; i < own.rgb.size(); ++i)
             for (std::size_t c = 0; c < 3; ++c)
                 EXPECT_NEAR(written->pixels.rgb[i][c], own.rgb[i][c], 1e-5) << scene.name;

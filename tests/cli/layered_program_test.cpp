@@ -32,7 +32,7 @@ TEST(LayeredHeader, OfABakedFileBakesTheSameFileAgain) {
          {std::string(film) + "index = \"wide.csv\"\nthickness_nm = 300\nsubstrate = 1.33\n",
           std::string(film) + "index = { cauchy = [1.5, 0.004] }\nthickness_nm = 300\nsubstrate = \"ag\"\n",
           std::string(stack) + "form = \"lamellae\"\nfilm = \"chitin\"\nfilm_nm = 94\ngap_nm = 83\nfilms = "
-                               "4\nthickness_spread_nm = 5\n[accuracy]\nnodes = 32\nrealisations = 8\n",
+                               "4\nthickness_spread_nm = 5\n[accuracy.sampling]\nnodes = 32\nthickness_samples = 8\n",
           std::string(stack) +
               "layers = [ { index = 1.38, thickness_nm = 200 }, { index = \"bk7\", thickness_nm = 1e5 } "
               "]\n"}) {

@@ -64,8 +64,9 @@ TEST(Promises, CountWhatGivenSumsErrBy) {
         "mechanism = \"film\"\nindex = \"water\"\nthickness_nm = 400\nthickness_spread_nm = 20\nbase = 0.3\nsubstrate "
         "= "
         "1.33\n";
-    for (const auto& [material, counts] :
-         {std::pair{mie, "radii = 2"}, {crystal, "slices = 4"}, {base, "base_directions = 2"}}) {
+    for (const auto& [material, counts] : {std::pair{mie, "sampling = { radii = 2 }"},
+                                           {crystal, "sampling = { slices = 4 }"},
+                                           {base, "sampling = { base_directions = 2 }"}}) {
         const Outcome outcome = bake(material, counts);
         EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
         EXPECT_NE(outcome.err.find("out of reach"), std::string::npos) << counts << ": " << outcome.err;

@@ -17,7 +17,6 @@
 #include "nacre/lut/planned_lut.h"
 #include "nacre/lut/sampler.h"
 #include "nacre/lut/snippet.h"
-#include "nacre/shade/integral.h"
 #include "pipeline/baked_lut.h"
 #include "support/folders.h"
 
@@ -106,9 +105,7 @@ double largest_difference(const Baked& baked, const std::vector<Rgb>& fetched,
                           const std::function<double(double)>& coordinate) {
     const auto inputs = random_inputs();
     const double scale = display_scale(baked.transform.to_xyz(baked.stored));
-    Job job = baked.lut.job;
-    job.integral = Integral::exact;
-    Sampler model(job);
+    Sampler model(baked.lut.job);
     double largest = 0.0;
     for (std::size_t i = 0; i < inputs.size(); ++i) {
         const Xyz seen = baked.transform.to_xyz(Image<Rgb>(1, 1, fetched[i])).at(0, 0);

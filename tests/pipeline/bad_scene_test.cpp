@@ -69,16 +69,15 @@ const std::vector<Mistake> mistakes{
      ":5:12 [lut.a]: material is 2 bytes with control characters among them; allowed is plain text of up to 4096 "
      "bytes"},
     {"MisspeltBound", scene("[accuracy]\nmax_de2000 = 0.1\n"),
-     ":5:1 [accuracy]: unknown key \"max_de2000\"; known: max_de00, wavelengths, integral, nodes, realisations, "
-     "effects, without, base_directions, radii, slices, size"},
+     ":5:1 [accuracy]: unknown key \"max_de2000\"; known: max_de00, wavelengths, sampling, effects, "
+     "without, size"},
     {"BoundOfNothing", scene("[accuracy]\nmax_de00 = 0\n"),
      ":5:12 [accuracy]: max_de00 = 0 is out of range; allowed [1e-05, 100]"},
     {"BoundThatIsNoNumber", scene("[accuracy]\nmax_de00 = \"small\"\n"),
      ":5:12 [accuracy]: max_de00 = \"small\" is a string; give a number"},
-    {"UnknownIntegral", scene("[accuracy]\nintegral = \"riemann\"\n"),
-     ":5:12 [accuracy]: unknown integral \"riemann\"; known: exact, fast"},
-    {"IntegralAndWavelengths", scene("[accuracy]\nwavelengths = 50\nintegral = \"fast\"\n"),
-     ":6:12 [accuracy]: integral says how to do without wavelengths, and wavelengths is given; leave one of them out"},
+    {"UnknownSamplingCount", scene("[accuracy.sampling]\nrealisations = 8\n"),
+     ":5:1 [accuracy.sampling]: unknown key \"realisations\"; known: nodes, thickness_samples, base_directions, radii, "
+     "slices"},
     {"WrongType", picks("angle_deg = \"0\", peak_nm = 460, width_nm = 70, height = 1", pick_b),
      ":3:19 [material.beetle]: angle_deg = \"0\" is a string; give a number"},
     {"MissingKey", picks("angle_deg = 0, peak_nm = 460, width_nm = 70", pick_b),

@@ -17,15 +17,14 @@
 #include "nacre/lut/fetch.h"
 #include "nacre/lut/formats.h"
 #include "nacre/lut/planned_lut.h"
-#include "nacre/shade/integral.h"
 #include "support/test_encoding.h"
 
 namespace nacre {
 
 /// How GoogleTest shows it.
 inline void PrintTo(const Work& work, std::ostream* out) {
-    *out << "{exact " << work.exact_integrals << ", fast " << work.fast_integrals << ", spectra " << work.spectra
-         << ", texels " << work.texels << ", probes " << work.probes << ", references " << work.references << '}';
+    *out << "{exact " << work.exact_integrals << ", spectra " << work.spectra << ", texels " << work.texels
+         << ", probes " << work.probes << ", references " << work.references << '}';
 }
 
 }  // namespace nacre
@@ -107,17 +106,16 @@ inline Rgb sampled_as_in_opengl(const Image<Rgb>& lut, double u, double v) {
 
 /// CIEDE2000 of two XYZ, both shown at a scale.
 inline double shown_difference(Xyz one, Xyz other, double scale) {
-    constexpr Xyz d65 = xyz_from_chromaticity(d65_chromaticity);
-    const auto lab = [&](Xyz colour) { return to_lab({scale * colour.x, scale * colour.y, scale * colour.z}, d65); };
+    const auto lab = [&](Xyz colour) {
+        return to_lab({scale * colour.x, scale * colour.y, scale * colour.z}, d65_white);
+    };
     return ciede2000(lab(one), lab(other));
 }
 
 /// The scale at which the brightest of a LUT's exact texels has Y = 1.
 inline double shown_scale(const Job& job) {
-    Job exact = job;
-    exact.integral = Integral::exact;
     double brightest = 0.0;
-    for (const Xyz& texel : bake(exact)) brightest = std::max(brightest, texel.y);
+    for (const Xyz& texel : bake(job)) brightest = std::max(brightest, texel.y);
     return brightest > 0.0 ? 1.0 / brightest : 1.0;
 }
 
@@ -151,7 +149,7 @@ inline Work without_effects(Work work) {
     return work;
 }
 
-/// A LUT that leaves size and integral open.
+/// A LUT that leaves its size open.
 inline PlannedLut wished_lut(Job job, double max_de00) {
     PlannedLut lut;
     lut.name = "lut";

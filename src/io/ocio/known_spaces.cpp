@@ -56,10 +56,9 @@ const Image<Xyz>& probe_colours() {
         const Xyz red{0.4123907992659595, 0.21263900587151036, 0.01933081871559185};
         const Xyz green{0.35758433938387796, 0.7151686787677559, 0.11919477979462599};
         const Xyz blue{0.1804807884018343, 0.07219231536073371, 0.9505321522496606};
-        const Xyz white = xyz_from_chromaticity(d65_chromaticity);
         const Xyz mix{0.6 * red.x + 0.3 * green.x, 0.6 * red.y + 0.3 * green.y, 0.6 * red.z + 0.3 * green.z};
-        const std::array<Xyz, probe_count> colours{red, green, blue,
-                                                   mix, white, {0.18 * white.x, 0.18 * white.y, 0.18 * white.z}};
+        const std::array<Xyz, probe_count> colours{
+            red, green, blue, mix, d65_white, {0.18 * d65_white.x, 0.18 * d65_white.y, 0.18 * d65_white.z}};
         Image<Xyz> image(static_cast<int>(probe_count), 1);
         std::copy(colours.begin(), colours.end(), image.begin());
         return image;

@@ -4,7 +4,6 @@
 
 #include "nacre/accuracy/choose_sampling.h"
 #include "nacre/lut/job.h"
-#include "nacre/shade/integral.h"
 #include "nacre/shade/prepared_colour.h"
 #include "nacre/shade/spectra.h"
 #include "nacre/shade/tilt.h"
@@ -18,7 +17,7 @@ Xyz reflectance_xyz(const Mechanism& mechanism, const Geometry& geometry, const 
     job.light = {std::shared_ptr<const Light>(), &light};  // lent for as long as this function runs
     job.x = default_axis(quantity_of(mechanism));
     const SpectralSampling sampling = samples_spectra(mechanism) ? default_sampling(job) : SpectralSampling{};
-    PreparedColour prepared = prepare_colour(mechanism, sampling, light, Integral::exact);
+    PreparedColour prepared = prepare_colour(mechanism, sampling, light);
     Work work;
     if (mechanism.effects.tilt_deg == 0.0) return colour_at(prepared, geometry, work);
     Xyz mean;

@@ -1,3 +1,8 @@
+// The error of a finished LUT, against the independent reference.
+//
+// In: the job, the numbers as they are in the file, and the points at which the search found the largest errors. The
+// colours of those points, of the corners and of points that are spread evenly over the LUT are fetched as a shader
+// does and compared with the reference. Where the reference is expensive, fewer points are compared, the worst first.
 #include "nacre/accuracy/measure.h"
 
 #include <algorithm>
@@ -5,12 +10,12 @@
 #include <cstddef>
 #include <vector>
 
+#include "nacre/accuracy/mechanism_traits.h"
 #include "nacre/accuracy/reference.h"
 #include "nacre/accuracy/trial.h"
+#include "nacre/colour/difference.h"
 #include "nacre/lut/job.h"
 #include "nacre/lut/sampler.h"
-#include "nacre/shade/integral.h"
-#include "nacre/shade/layered_colour.h"
 
 namespace nacre {
 namespace {
@@ -32,21 +37,10 @@ std::size_t part_of(std::size_t count, double share) {
 
 double measured_share(const Job& job) {
     const Mechanism mechanism = mechanism_at(job, 0.5, 0.5);
-    if (std::holds_alternative<Palette>(mechanism) || std::holds_alternative<MeasuredSpectra>(mechanism)) return 1.0;
-    // What one colour takes, in units of a film's.
-    double cost = 1.0;
-    if (is_layered(mechanism)) {
-        const double layers = expanded_layers(even_system(mechanism));
-        const double fringes = fringe_count(mechanism, job.light->settings);
-        cost = job.sampling.realisations * std::max(1.0, layers / 100.0) * std::max(1.0, fringes / 100.0);
-    } else if (const auto* scatter = std::get_if<Scatter>(&mechanism)) {
-        cost = 1e-3 * scatter->radius_nm * (scatter->radius_spread > 0.0 ? 96.0 : 1.0);
-        // Other spheres at every point.
-        constexpr double anew = 50.0;
-        if (!job.x.is_angle() || (job.y && !job.y->is_angle())) cost *= anew;
-    }
-    if (cost <= 1.0) return 1.0;
-    return std::clamp(1.0 / std::sqrt(cost), 1.0 / 12.0, 1.0);
+    const auto reference_cost = traits_of(mechanism).reference_cost;
+    const double cost = reference_cost != nullptr ? reference_cost(job, mechanism) : 1.0;
+    // Empirical: the time to measure rises with the root of the cost only, up to a twelfth of the points.
+    return cost <= 1.0 ? 1.0 : std::clamp(1.0 / std::sqrt(cost), 1.0 / 12.0, 1.0);
 }
 
 Measured measure(const Job& job, const Image<Rgb>& stored, const Encoding& encoding,
@@ -89,17 +83,17 @@ namespace {
 
 // Reflectances of all texels.
 std::uint64_t samples_of(const Job& job) {
-    const auto realisations = static_cast<std::uint64_t>(job.sampling.realisations);
+    const auto samples = static_cast<std::uint64_t>(job.sampling.thickness_samples);
     const auto texels = static_cast<std::uint64_t>(job.width) * static_cast<std::uint64_t>(job.height);
     if (job.light->settings.wavelengths)
-        return texels * static_cast<std::uint64_t>(*job.light->settings.wavelengths) * realisations;
-    const NodeCounts counts = job.sampling.node_counts();
+        return texels * static_cast<std::uint64_t>(*job.light->settings.wavelengths) * samples;
+    const NodeCounts counts = job.sampling.counts().nodes;
     std::uint64_t sum = 0;
     for (int row = 0; row < job.height; ++row) {
         for (int column = 0; column < job.width; ++column) {
             const Geometry geometry =
                 geometry_at(job, coordinate_of_texel(column, job.width), coordinate_of_texel(row, job.height));
-            sum += static_cast<std::uint64_t>(counts[band_of(geometry.incidence)]) * realisations;
+            sum += static_cast<std::uint64_t>(counts[band_of(geometry.incidence)]) * samples;
         }
     }
     return sum;
@@ -110,11 +104,8 @@ std::uint64_t samples_of(const Job& job) {
 Work bake_work(const Job& job, std::size_t suspects) {
     Work work;
     work.texels = static_cast<std::uint64_t>(job.width) * static_cast<std::uint64_t>(job.height);
-    const bool is_palette = std::holds_alternative<Palette>(job.material.mechanism);
-    const auto& wavelengths = job.light->settings.wavelengths;
-    (!is_palette || wavelengths       ? work.spectra
-     : job.integral == Integral::fast ? work.fast_integrals
-                                      : work.exact_integrals) = work.texels;
+    const bool is_integrated = traits_of(job.material.mechanism).is_closed_form && !job.light->settings.wavelengths;
+    (is_integrated ? work.exact_integrals : work.spectra) = work.texels;
     if (work.spectra > 0) work.samples = samples_of(job);
     const std::size_t corners = job.y ? 4 : 2;
     const double share = measured_share(job);

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <cstdint>
+#include <optional>
+
 #include "nacre/colour/xyz_curve.h"
 #include "nacre/lut/bake.h"
 #include "nacre/lut/planned_lut.h"
@@ -14,6 +17,9 @@ public:
     /// @param tolerance  CIEDE2000 at `scale` that the curve may be off at the points tried; elsewhere it is as good
     /// @param after_step  called now and then; what it throws ends the search
     ModelCurve(const Job& job, double tolerance, double scale, const AfterRow& after_step = {});
+    /// The same, or none if it could take more than `most_colours` of the model's.
+    static std::optional<ModelCurve> within(double most_colours, const Job& job, double tolerance, double scale,
+                                            const AfterRow& after_step = {});
 
     /// XYZ relative to D65. @param x  coordinate on the job's axis, in [0, 1]
     Xyz at(double x) const { return curve_.at(x); }
@@ -22,6 +28,8 @@ public:
     const Work& work() const { return work_; }
 
 private:
+    ModelCurve() = default;
+
     XyzCurve curve_;
     Work work_;
 };

@@ -1,3 +1,9 @@
+// Colours by an independent method: plain quadrature over wavelength, for everything that is not one mechanism's own
+// (reference_mechanisms.cpp has those), and for layers.
+//
+// In: a job, whose scene is taken as it is: every effect, no nodes, no grid. The rules are Gauss-Legendre within parts
+// of nanometres that are small against a fringe. Where nothing else is said, the constants are empirical;
+// tests/nacre/accuracy/reference_test.cpp compares colours with higher precision.
 #include "nacre/accuracy/reference.h"
 
 #include <algorithm>
@@ -73,7 +79,7 @@ Reference::Reference(const Job& job) : job_(job) {
     }
     for (Xyz& weight : weights_) weight = plus({}, 1.0 / white.y, weight);
     white = plus({}, 1.0 / white.y, white);
-    adaptation_ = adaptation_matrix(light.adaptation, white, xyz_from_chromaticity(d65_chromaticity));
+    adaptation_ = adaptation_matrix(light.adaptation, white, d65_white);
 }
 
 Xyz Reference::weight_at(double nm) const {
@@ -144,61 +150,87 @@ const std::vector<double>& Reference::base_table(const Mechanism& mechanism, con
     return base_->second;
 }
 
-Xyz Reference::layered(const Mechanism& mechanism, const Incidence& incidence) const {
-    const LightSettings& light = job_.light->settings;
+namespace {
+
+// Layers with more samples of uneven thicknesses and slices than a bake has where it left an effect out, and with finer
+// slices in any case.
+LayerEnsemble fine_ensemble(const Mechanism& mechanism, const SpectralSampling& sampling) {
     constexpr int finer_slices = 3;
     constexpr int enough_slices = 96;
-    // What the bake did without has no realisations of the bake's.
-    constexpr int enough_realisations = 256;
-    const int realisations = job_.sampling.realisations > 1 ? job_.sampling.realisations : enough_realisations;
-    const int had = job_.sampling.slices;
-    const int slices = std::max(had, std::min(finer_slices * had, enough_slices));
-    const LayerEnsemble ensemble = layer_ensemble(mechanism, realisations, {}, slices);
+    constexpr int enough_samples = 256;
+    const int samples = sampling.thickness_samples > 1 ? sampling.thickness_samples : enough_samples;
+    const int slices = std::max(sampling.slices, std::min(finer_slices * sampling.slices, enough_slices));
+    return layer_ensemble(mechanism, samples, {}, slices);
+}
+
+// What is seen of layers at one wavelength. @param base  factors of a base below, base_steps per nanometre; null: none
+double seen_reflectance(const Response& response, double from_first_nm, Polarisation polarisation,
+                        const std::vector<double>* base) {
+    const double reflectance = reflectance_of(response, polarisation);
+    if (base == nullptr) return reflectance;
+    const double position = base_steps * from_first_nm;
+    const auto cell = std::min(static_cast<std::size_t>(position), base->size() - 2);
+    const double factor = std::lerp((*base)[cell], (*base)[cell + 1], position - static_cast<double>(cell));
+    return reflectance + factor * transmittance_of(response, polarisation);
+}
+
+// Radians of the round trip through all layers from one part of a nanometre to the next. Towards grazing every face is
+// a mirror, and fringes become narrow; but of many layers and fringes the narrowest parts would be too many.
+double phase_per_part(double fringes, double layers, double cos_theta) {
+    const double finest = std::clamp(1e-4 * fringes * layers, 0.002, 0.02);
+    return longest_phase * std::clamp(4.0 * cos_theta, finest, 1.0);
+}
+
+struct Waves {
+    std::vector<double> nm;
+    std::vector<double> share;  // of a nanometre
+};
+
+// @param is_smooth  whether the spectrum has no fringes: then the middles of the parts do
+void add_nanometre(int nm, int parts, bool is_smooth, Waves& waves) {
+    for (int part = 0; part < parts; ++part) {
+        if (is_smooth) {
+            waves.nm.push_back(nm + (part + 0.5) / parts);
+            waves.share.push_back(1.0 / parts);
+            continue;
+        }
+        for (const QuadratureNode& node : smooth_quadrature) {
+            waves.nm.push_back(nm + (part + node.at) / parts);
+            waves.share.push_back(node.share / parts);
+        }
+    }
+}
+
+}  // namespace
+
+Xyz Reference::layered(const Mechanism& mechanism, const Incidence& incidence) const {
+    constexpr std::size_t samples_of_smooth_mean = 32;
+    constexpr std::size_t enough_at_once = 1024;
+    constexpr int most_parts_of_scalar = 16;  // fringes by the million are for the solver
+    const LightSettings& light = job_.light->settings;
+    const LayerEnsemble ensemble = fine_ensemble(mechanism, job_.sampling);
     const std::vector<double>* base = has_diffuse_base(mechanism) ? &base_table(mechanism, ensemble) : nullptr;
-    const auto seen = [&](const Response& response, double nm) {
-        const Polarisation polarisation = mechanism.effects.polarisation;
-        double reflectance = reflectance_of(response, polarisation);
-        if (base == nullptr) return reflectance;
-        const double position = base_steps * (nm - light.first_nm);
-        const auto cell = std::min(static_cast<std::size_t>(position), base->size() - 2);
-        const double factor = std::lerp((*base)[cell], (*base)[cell + 1], position - static_cast<double>(cell));
-        return reflectance + factor * transmittance_of(response, polarisation);
-    };
-    const double range_per_nm = 1.0 / light.first_nm - 1.0 / light.last_nm;
-    const double path_nm = fringe_count(mechanism, light) / range_per_nm;
-    // Towards grazing light every face is a mirror, and fringes become sharp.
-    // Of many layers and fringes that would be a multitude.
-    const double path_fringes = fringe_count(mechanism, light);
-    const double finest = std::clamp(1e-4 * path_fringes * expanded_layers(ensemble.systems.front()), 0.002, 0.02);
-    const double phase_step = longest_phase * std::clamp(4.0 * incidence.cos_theta, finest, 1.0);
+    const double fringes = fringe_count(mechanism, light);
+    const double layers = expanded_layers(ensemble.systems.front());
+    const double path_nm = fringes / (1.0 / light.first_nm - 1.0 / light.last_nm);
+    const double phase_step = phase_per_part(fringes, layers, incidence.cos_theta);
+    const bool is_smooth = ensemble.systems.size() >= samples_of_smooth_mean;
     Xyz sum;
-    std::vector<double> wavelengths_nm;
-    std::vector<double> shares;
+    Waves waves;
     for (int nm = light.first_nm; nm < light.last_nm; ++nm) {
         const double phase = 2.0 * std::numbers::pi * path_nm / (static_cast<double>(nm) * nm);
         const int parts = std::max(1, static_cast<int>(std::ceil(phase / phase_step)));
-        for (int part = 0; part < parts; ++part) {
-            // The mean over many uneven systems is smooth: there the middle of every nanometre does.
-            if (ensemble.systems.size() >= 32) {
-                wavelengths_nm.push_back(nm + (part + 0.5) / parts);
-                shares.push_back(1.0 / parts);
-                continue;
-            }
-            for (const QuadratureNode& node : smooth_quadrature) {
-                wavelengths_nm.push_back(nm + (part + node.at) / parts);
-                shares.push_back(node.share / parts);
-            }
+        add_nanometre(nm, parts, is_smooth, waves);
+        if (waves.nm.size() < enough_at_once && nm + 1 < light.last_nm) continue;
+        const bool by_scalar =
+            ensemble.systems.size() == 1 && parts < most_parts_of_scalar && layers <= most_twin_layers;
+        const std::vector<Response> responses = mean_responses(ensemble, incidence, waves.nm, by_scalar);
+        for (std::size_t i = 0; i < responses.size(); ++i) {
+            const double seen =
+                seen_reflectance(responses[i], waves.nm[i] - light.first_nm, mechanism.effects.polarisation, base);
+            sum = plus(sum, waves.share[i] * seen, weight_at(waves.nm[i]));
         }
-        constexpr std::size_t enough = 1024;
-        if (wavelengths_nm.size() < enough && nm + 1 < light.last_nm) continue;
-        // Fringes by the million are for the fast road.
-        const bool is_plain =
-            ensemble.systems.size() == 1 && parts < 16 && expanded_layers(ensemble.systems.front()) <= most_twin_layers;
-        const std::vector<Response> responses = mean_responses(ensemble, incidence, wavelengths_nm, is_plain);
-        for (std::size_t i = 0; i < responses.size(); ++i)
-            sum = plus(sum, shares[i] * seen(responses[i], wavelengths_nm[i]), weight_at(wavelengths_nm[i]));
-        wavelengths_nm.clear();
-        shares.clear();
+        waves = {};
     }
     return sum;
 }

@@ -4,7 +4,6 @@
 #include <numbers>
 
 #include "nacre/accuracy/reference.h"
-#include "nacre/colour/colour_distance.h"
 #include "nacre/lut/sampler.h"
 #include "nacre/shade/kinks.h"
 
@@ -139,7 +138,7 @@ Xyz Reference::scattered(const Mechanism& mechanism, double cos_scatter) const {
         }
         for (const Wave& wave : made->waves) wavelengths_nm.push_back(wave.nm);
         constexpr int enough_sizes = 96;
-        const int sizes = scatter.radius_spread > 0.0 ? std::max(enough_sizes, 2 * job_.sampling.sizes) : 1;
+        const int sizes = scatter.radius_spread > 0.0 ? std::max(enough_sizes, 2 * job_.sampling.radii) : 1;
         made->solver = std::make_unique<ScatterSolver>(scatter, wavelengths_nm, sizes);
         scattering_ = std::move(made);
     }

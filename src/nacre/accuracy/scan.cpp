@@ -1,3 +1,15 @@
+// The search for the point at which a LUT errs most.
+//
+// In: a trial, which tells the error at any points, a limit beyond which the answer does not matter, and points at
+// which smaller LUTs erred. In this order:
+//   1. The points given. They leave no trace, so that a LUT is judged alike wherever others failed.
+//   2. An even grid over all cells, row by row, with the kinks of the model. Of each row of cells the worst point of
+//      each cell is kept, if it is not far from the worst of all.
+//   3. The worst cells again, finely, and around their worst points in ever smaller steps.
+// As soon as an error exceeds the limit, the scan ends: a LUT that is too small costs next to nothing.
+//
+// The constants are empirical: tests/nacre/accuracy/scan_test.cpp compares scans with plain dense ones, which find no
+// more than 1.5 % beyond.
 #include "nacre/accuracy/scan.h"
 
 #include <algorithm>
@@ -11,7 +23,7 @@
 namespace nacre {
 namespace {
 
-// How many points a side a cell gets, so that each LUT is looked at finely enough however few cells it has.
+// How many points a side a cell gets, so that each LUT is scanned finely enough however few cells it has.
 constexpr int fewest_in_1d = 8;
 constexpr int fewest_in_2d = 2;
 constexpr int fewest_columns_in_1d = 2048;
@@ -35,8 +47,8 @@ int steps_per_cell(int texels, int fewest, int fewest_overall) {
     return std::max(fewest, (fewest_overall + cells - 1) / cells);
 }
 
-// A larger LUT is looked at on every n-th line only, so that looking costs no more than baking; and one whose colours
-// are dear on fewer still, in reflectances of a film.
+// A larger LUT is scanned on every n-th line only, so that scanning costs no more than baking; and one whose colours
+// are expensive on fewer still, in reflectances of a film.
 constexpr double most_points = 1 << 22;
 constexpr double fewest_points = 1 << 14;
 constexpr double most_scan_effort = 1e9;
@@ -61,12 +73,12 @@ public:
           row_(static_cast<std::size_t>(columns_)) {}
 
     Scan scan(std::span<const LutPoint> first) {
-        look_at(first);
+        scan_at(first);
         if (!is_over()) {
             // They leave no trace: a LUT is judged alike wherever others failed.
             result_ = {};
             std::fill(row_.begin(), row_.end(), Cell{});
-            look_everywhere();
+            scan_everywhere();
         }
         if (!is_over()) refine();
         result_.is_complete = !is_over();
@@ -81,7 +93,7 @@ private:
     int row_of(LutPoint point) const { return std::min(static_cast<int>(point.y * rows_), rows_ - 1); }
 
     // Returns the worst of them, even if the limit cut it short.
-    Cell look_at(std::span<const LutPoint> points) {
+    Cell scan_at(std::span<const LutPoint> points) {
         Cell worst;
         for (std::size_t begin = 0; begin < points.size() && !is_over(); begin += batch_size) {
             const auto batch = points.subspan(begin, std::min(batch_size, points.size() - begin));
@@ -121,7 +133,7 @@ private:
         bad_cells_.resize(count);
     }
 
-    void look_everywhere() {
+    void scan_everywhere() {
         const Job& job = trial_.job();
         const int per_column = is_2d() ? steps_per_cell(job.width, fewest_in_2d, fewest_columns_in_2d)
                                        : steps_per_cell(job.width, fewest_in_1d, fewest_columns_in_1d);
@@ -140,7 +152,7 @@ private:
             for (int i = 0; i <= last_step; ++i) line.push_back({static_cast<double>(i) / last_step, y});
             for (const double x : landmarks(job, y)) line.push_back({x, y});
             if (j > 0 && j % per_row < stride) finish_row();
-            look_at(line);
+            scan_at(line);
         }
         finish_row();
     }
@@ -169,7 +181,7 @@ private:
             for (int i = 0; i <= steps; ++i)
                 points.push_back({(column + static_cast<double>(i) / steps) / columns_, y});
         }
-        Cell worst = look_at(points);
+        Cell worst = scan_at(points);
         const Cell at_start{0.0, inside};
         if (worst.largest == 0.0) worst = at_start;
         return zoom_in(worst, column, row);
@@ -190,7 +202,7 @@ private:
                 for (int i = -zoom_steps; i <= zoom_steps; ++i)
                     points.push_back({beside(worst.at.x, column, columns_, i), y});
             }
-            const Cell found = look_at(points);
+            const Cell found = scan_at(points);
             if (is_worse(found, worst)) worst = found;
         }
         return worst;

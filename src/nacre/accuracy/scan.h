@@ -23,8 +23,8 @@ struct Scan {
 /// are closed in on. A LUT so large that this were more than some millions of points is looked at on every n-th line
 /// only.
 /// @param limit  stop at an error above this
-/// @param first  points to look at before all others: where a smaller LUT erred
-/// @param unrounded  look at the LUT as it was before its numbers were rounded to the format
+/// @param first  points to scan before all others: where a smaller LUT erred
+/// @param unrounded  scan the LUT as it was before its numbers were rounded to the format
 Scan scan_errors(Trial& trial, double limit = std::numeric_limits<double>::infinity(),
                  std::span<const LutPoint> first = {}, bool unrounded = false);
 

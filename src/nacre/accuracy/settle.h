@@ -3,7 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "nacre/accuracy/choose_sampling.h"
+#include "nacre/accuracy/choose_effects.h"
+#include "nacre/accuracy/error_split.h"
 #include "nacre/lut/bake.h"
 #include "nacre/lut/encoding.h"
 #include "nacre/lut/fetch.h"
@@ -12,20 +13,9 @@
 
 namespace nacre {
 
-/// Where a LUT's error comes from; CIEDE2000 each, the largest over the LUT.
-struct ErrorSplit {
-    double total = 0.0;          ///< not the sum: the worst points of the parts need not coincide
-    double spectrum = 0.0;       ///< of how spectra become XYZ
-    double spread = 0.0;         ///< of an irregular stack's mean: of how many realisations it is taken
-    double quadrature = 0.0;     ///< of a base's directions, of facets, of radii, of slices
-    double effects = 0.0;        ///< of effects that are left out
-    double interpolation = 0.0;  ///< of the linear filter between exact texels
-    double storage = 0.0;        ///< of the number format, at the texels
-};
-
 /// A LUT with nothing left open.
 struct SettledLut {
-    PlannedLut lut;                     ///< size, format and integral decided
+    PlannedLut lut;                     ///< size, format and sampling decided
     ErrorSplit predicted;               ///< by the bake's own code, looked for at all coordinates
     std::vector<EffectChoice> effects;  ///< those of the material, and what became of each
     std::vector<LutPoint> worst;        ///< where it errs most, the worst first: measure() goes there
@@ -43,14 +33,10 @@ struct SettledLut {
 ///
 /// An effect whose contribution at probes stays below its part of `share_of_effects` of the bound is left out, if the
 /// wish allows it.
-///
-/// Of the integrals `fast` is taken if it costs less than a fiftieth of the bound.
 /// @throws Error if the encoding has no way back to XYZ and the wish is binding
 /// @param after_step  called every few hundred points; what it throws ends the search
 SettledLut settle(const PlannedLut& lut, const Encoding& encoding, const AfterRow& after_step = {});
 
 inline constexpr int most_settled_texels = 1 << 22;
-/// What effects that are left out may take of a bound, all of them together.
-inline constexpr double share_of_effects = 0.1;
 
 }  // namespace nacre

@@ -1,3 +1,8 @@
+// Which layers are so thick that their fringes are not seen.
+//
+// In: a job whose axes leave its material as it is. Candidates are the layers with the finest fringes, one after the
+// other, as long as each is fine beside all that is left. They are taken all together, if colours at four angles do not
+// change by more than the tolerance when these layers become incoherent; else none is.
 #include "nacre/accuracy/thick_layers.h"
 
 #include <algorithm>
@@ -10,9 +15,9 @@
 namespace nacre {
 namespace {
 
-// Fringes that may be too fine to be seen: of some 16 micrometres of glass.
+// Fringes that may be too fine to be seen: of some 16 micrometres of glass (empirical).
 constexpr double fine_fringes = 75.0;
-// So much finer than all others together that no two of them beat.
+// So much finer than all others together that no two of them beat (empirical).
 constexpr double finer_than_others = 3.0;
 
 // Only in such a layer do fringes stay fine at every angle: in a thinner medium the wave comes to run along the layer,
@@ -53,7 +58,7 @@ std::vector<std::size_t> candidates(LayerSystem system, const LightSettings& lig
 }  // namespace
 
 std::vector<std::size_t> thick_layers(const Job& job, double tolerance) {
-    if (!job.x.is_angle() || (job.y && !job.y->is_angle())) return {};
+    if (job.moves_material()) return {};
     const Mechanism& mechanism = job.material.mechanism;
     const Light& light = *job.light;
     const LayerSystem system = even_system(mechanism);
@@ -68,7 +73,7 @@ std::vector<std::size_t> thick_layers(const Job& job, double tolerance) {
         const int count = std::max(fewest, static_cast<int>(nodes_per_fringe * fringe_count(layers, light.settings)));
         SpectralSampling result;
         result.nodes.fill(std::make_shared<const SpectralNodes>(make_spectral_nodes(light.weights, count)));
-        result.blurred = blurred;
+        result.incoherent_layers = blurred;
         return result;
     };
     LayeredColour sharp(mechanism, sampling(system, {}));
@@ -83,11 +88,9 @@ std::vector<std::size_t> thick_layers(const Job& job, double tolerance) {
         brightest = std::max(brightest, meant.back().y);
     }
     if (!(brightest > black_luminance)) return thick;
-    const auto lab = [&](const Xyz& colour) {
-        return to_lab({colour.x / brightest, colour.y / brightest, colour.z / brightest}, d65_white);
-    };
+    const double scale = display_scale(brightest);
     for (std::size_t i = 0; i < seen.size(); ++i) {
-        if (ciede2000(lab(seen[i]), lab(meant[i])) > tolerance) return {};
+        if (difference_at(seen[i], meant[i], scale) > tolerance) return {};
     }
     return thick;
 }

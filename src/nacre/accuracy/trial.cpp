@@ -1,8 +1,12 @@
+// A LUT at one size and in one format, compared with its model at any points.
+//
+// In: a job with its size, and an encoding. The LUT is baked, converted and rounded once; errors are then found point
+// by point: what a shader fetches from the rounded numbers (or from those before rounding) against the model's colour,
+// both as XYZ. Where a curve of the model is given, texels and model come from it.
 #include "nacre/accuracy/trial.h"
 
 #include "nacre/accuracy/choose_sampling.h"
 #include "nacre/lut/formats.h"
-#include "nacre/shade/integral.h"
 
 #include <algorithm>
 #include <cmath>
@@ -31,16 +35,7 @@ double difference_above(const Xyz& one, const Xyz& other, double scale, double f
 
 // What a LUT is held against: the true integral, or the scene's own samples.
 Job model_of(Job job, bool sampled) {
-    job.integral = Integral::exact;
-    if (sampled || !job.light->settings.wavelengths) return job;
-    job.light = without_wavelengths(job.light);
-    if (samples_spectra(job.material.mechanism)) {
-        const SpectralSampling& had = job.sampling;
-        job.sampling = choose_sampling(job, {1e-3, 0.0, 1e-3, 0.0},
-                                       {{}, had.realisations, {had.hemisphere, had.sizes, had.slices}})
-                           .sampling;
-    }
-    return job;
+    return sampled ? std::move(job) : integrated_job(std::move(job), {1e-3, 0.0, 1e-3, 0.0});
 }
 
 Image<Xyz> texels_of(const ModelCurve& curve, int width) {
@@ -62,17 +57,13 @@ Image<Rgb> rounded(Image<Rgb> image, PixelFormat format, const Encoding& encodin
 double display_scale(const Image<Xyz>& texels) {
     double brightest = 0.0;
     for (const Xyz& texel : texels) brightest = std::max(brightest, texel.y);
-    return brightest > black_luminance ? 1.0 / brightest : 1.0;
+    return display_scale(brightest);
 }
 
 double brightness_scale(const Image<Xyz>& texels, double black_scale) {
     const bool is_black =
         std::all_of(texels.begin(), texels.end(), [](const Xyz& texel) { return !(texel.y > black_luminance); });
     return is_black ? black_scale : display_scale(texels);
-}
-
-double difference_at(Xyz one, Xyz other, double scale) {
-    return ciede2000(lab_at(one, scale), lab_at(other, scale));
 }
 
 Trial::Trial(const Job& job, PixelFormat format, const Encoding& encoding, bool sampled_model, double scale,

@@ -21,9 +21,6 @@ double display_scale(const Image<Xyz>& texels);
 /// The same, but what is given for a LUT that is black all over.
 double brightness_scale(const Image<Xyz>& texels, double black_scale);
 
-/// CIEDE2000 of two XYZ under D65, both shown `scale` times brighter.
-double difference_at(Xyz one, Xyz other, double scale);
-
 /// A LUT baked at one size, held against its model point by point.
 class Trial {
 public:
@@ -32,8 +29,7 @@ public:
     /// @param scale           display_scale(); 0: the LUT's own
     /// @param black_scale     the scale of a LUT that is black all over, though its model may not be
     /// @param curve           of the same job, 1D: where both the LUT's and the model's colours are taken from; null:
-    /// the
-    ///                        job itself. Has to outlive the trial
+    ///                        the job itself. Has to outlive the trial
     /// @param after_step      called after every row and every batch of points; what it throws ends the trial
     Trial(const Job& job, PixelFormat format, const Encoding& encoding, bool sampled_model, double scale = 0.0,
           double black_scale = 1.0, AfterRow after_step = {}, const ModelCurve* curve = nullptr);

@@ -119,4 +119,15 @@ std::array<double, 3> ciede2000_parts(const Lab& one, const Lab& other, double s
     return {l, c + half * h, h * std::sqrt(std::max(0.0, (1.0 - half) * (1.0 + half)))};
 }
 
+double display_scale(double luminance) {
+    return luminance > black_luminance ? 1.0 / luminance : 1.0;
+}
+
+double difference_at(const Xyz& one, const Xyz& other, double scale) {
+    const auto lab = [scale](const Xyz& colour) {
+        return to_lab({scale * colour.x, scale * colour.y, scale * colour.z}, d65_white);
+    };
+    return ciede2000(lab(one), lab(other));
+}
+
 }  // namespace nacre

@@ -43,4 +43,11 @@ std::array<double, 3> ciede2000_parts(const Lab& one, const Lab& other, double s
 /// into up to 1 + sqrt(3) / 2 as much: 1.5 * sqrt(1.866) = 2.05.
 inline constexpr double most_ciede2000_per_lab = 2.1;
 
+/// How many times brighter colours are shown so that this luminance has Y = 1: colour differences depend on it. 1 for
+/// black.
+double display_scale(double luminance);
+
+/// CIEDE2000 of two XYZ under D65, both shown `scale` times brighter.
+double difference_at(const Xyz& one, const Xyz& other, double scale);
+
 }  // namespace nacre

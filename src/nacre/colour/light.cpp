@@ -16,7 +16,7 @@ Light make_light(LightSettings settings) {
         light.grid = {static_cast<double>(s.first_nm), static_cast<double>(s.last_nm), *s.wavelengths};
         light.grid_weights = make_grid_weights(light.weights, light.grid);
     }
-    light.adaptation = adaptation_matrix(s.adaptation, light.white(), xyz_from_chromaticity(d65_chromaticity));
+    light.adaptation = adaptation_matrix(s.adaptation, light.white(), d65_white);
     return light;
 }
 

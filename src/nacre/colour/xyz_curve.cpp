@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <numbers>
 #include <utility>
 
@@ -15,6 +16,7 @@ constexpr int degree_count = 10;
 constexpr std::array tried_at{-0.97, -0.55, 0.07, 0.62, 0.96};
 // Narrower intervals are accepted as they are: the colour has a kink there that is not among the borders.
 constexpr double narrowest = 1e-4;
+static_assert(XyzCurve::colours_per_interval == degree_count + tried_at.size());
 
 Xyz plus(const Xyz& sum, double factor, const Xyz& term) {
     return {sum.x + factor * term.x, sum.y + factor * term.y, sum.z + factor * term.z};
@@ -54,9 +56,24 @@ std::vector<Xyz> interpolate(const XyzCurve::Colour& colour, double from, double
 
 XyzCurve::XyzCurve(const Colour& colour, const std::vector<double>& borders, const Agrees& agrees,
                    const std::function<void()>& after_step) {
+    fit(std::numeric_limits<std::int64_t>::max(), colour, borders, agrees, after_step);
+}
+
+std::optional<XyzCurve> XyzCurve::within(std::int64_t most_intervals, const Colour& colour,
+                                         const std::vector<double>& borders, const Agrees& agrees,
+                                         const std::function<void()>& after_step) {
+    XyzCurve curve;
+    if (!curve.fit(most_intervals, colour, borders, agrees, after_step)) return std::nullopt;
+    return curve;
+}
+
+bool XyzCurve::fit(std::int64_t most_intervals, const Colour& colour, const std::vector<double>& borders,
+                   const Agrees& agrees, const std::function<void()>& after_step) {
+    std::int64_t tried = 0;
     std::vector<double> ends(borders.rbegin(), borders.rend() - 1);  // still to come, the next one last
     double from = borders.front();
     while (!ends.empty()) {
+        if (++tried > most_intervals) return false;
         const double to = ends.back();
         std::vector<Xyz> coefficients = interpolate(colour, from, to);
         const bool is_good = std::all_of(tried_at.begin(), tried_at.end(), [&](double t) {
@@ -71,6 +88,7 @@ XyzCurve::XyzCurve(const Colour& colour, const std::vector<double>& borders, con
         from = to;
         ends.pop_back();
     }
+    return true;
 }
 
 Xyz XyzCurve::at(double x) const {

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstdint>
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include "nacre/colour/colour_types.h"
@@ -23,6 +25,12 @@ public:
     /// @param after_step  called once per interval that was tried; an exception from it ends the search
     XyzCurve(const Colour& colour, const std::vector<double>& borders, const Agrees& agrees,
              const std::function<void()>& after_step = {});
+    /// The same, or none if more than `most_intervals` would have to be tried.
+    static std::optional<XyzCurve> within(std::int64_t most_intervals, const Colour& colour,
+                                          const std::vector<double>& borders, const Agrees& agrees,
+                                          const std::function<void()>& after_step = {});
+    /// What an interval asks for at most.
+    static constexpr int colours_per_interval = 15;
 
     Xyz at(double x) const;
     /// Ascending, the first 0 and the last 1: between them it is a polynomial.
@@ -30,6 +38,10 @@ public:
     bool is_made() const { return !panels_.empty(); }
 
 private:
+    // Returns false if it gave up.
+    bool fit(std::int64_t most_intervals, const Colour& colour, const std::vector<double>& borders,
+             const Agrees& agrees, const std::function<void()>& after_step);
+
     struct Panel {
         double to;                      // from where the one before ends
         std::vector<Xyz> coefficients;  // of the Chebyshev polynomials

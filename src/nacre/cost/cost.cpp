@@ -30,7 +30,6 @@
 #include "nacre/material/geometry.h"
 #include "nacre/material/mechanism.h"
 #include "nacre/optics/palette.h"
-#include "nacre/shade/integral.h"
 #include "nacre/shade/spectral_sampling.h"
 
 namespace nacre {
@@ -98,7 +97,6 @@ private:
         Job job = lut_.job;
         job.width = width;
         job.height = height_;
-        job.integral = Integral::exact;
         return job;
     }
 
@@ -131,7 +129,7 @@ private:
     // A film or stack at the wavelengths of a rival.
     Job sampled(Job job, SpectralNodes nodes) const {
         job.sampling.nodes.fill(std::make_shared<const SpectralNodes>(std::move(nodes)));
-        job.sampling.blurred.clear();
+        job.sampling.incoherent_layers.clear();
         return job;
     }
 
@@ -166,9 +164,6 @@ private:
         }
         const Light& light = *lut_.job.light;
         add(CostFamily::integral, "exact integral", sized(integral_size), PixelFormat::single_float);
-        Job fast = sized(integral_size);
-        fast.integral = Integral::fast;
-        add(CostFamily::integral, "fast integral", std::move(fast), PixelFormat::single_float);
         for (const int step_nm : sum_steps_nm)
             add_rival(std::to_string(step_nm) + " nm sum", make_sum_rival(light, step_nm));
         if (light.settings.observer == Observer::cie1931_2deg)

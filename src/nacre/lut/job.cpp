@@ -5,7 +5,6 @@
 #include "nacre/base/words.h"
 #include "nacre/optics/crystal.h"
 #include "nacre/optics/palette.h"
-#include "nacre/shade/integral.h"
 
 namespace nacre {
 
@@ -54,7 +53,7 @@ std::string nodes_text(const Job& job) {
     if (job.light->settings.wavelengths) return std::to_string(*job.light->settings.wavelengths) + " wavelengths";
     std::string counts;
     int last = 0;
-    for (const int count : job.sampling.node_counts()) {
+    for (const int count : job.sampling.counts().nodes) {
         if (count != last) counts += (counts.empty() ? "" : "/") + std::to_string(count);
         last = count;
     }
@@ -66,13 +65,11 @@ std::string nodes_text(const Job& job) {
 std::string integration_text(const Job& job) {
     const Mechanism& mechanism = job.material.mechanism;
     const bool is_sampled = samples_spectra(mechanism) || job.light->settings.wavelengths;
-    if (!is_sampled && std::holds_alternative<Palette>(mechanism))
-        return std::string(name_of(integral_words, job.integral));
     std::string text = is_sampled ? nodes_text(job) : "exact";
-    if (job.sampling.realisations > 1) text += " x " + std::to_string(job.sampling.realisations);
+    if (job.sampling.thickness_samples > 1) text += " x " + std::to_string(job.sampling.thickness_samples);
     if (is_sampled && std::holds_alternative<Crystal>(mechanism))
         text += " x " + std::to_string(job.sampling.slices) + " slices";
-    if (job.sampling.sizes > 1) text += " x " + std::to_string(job.sampling.sizes) + " radii";
+    if (job.sampling.radii > 1) text += " x " + std::to_string(job.sampling.radii) + " radii";
     return text;
 }
 

@@ -9,7 +9,6 @@
 #include "nacre/material/effects.h"
 #include "nacre/material/geometry.h"
 #include "nacre/material/mechanism.h"
-#include "nacre/shade/integral.h"
 #include "nacre/shade/spectral_sampling.h"
 
 namespace nacre {
@@ -21,11 +20,10 @@ struct Job {
     Axis x = default_axis();
     std::optional<Axis> y;
     int width = 256;
-    int height = 1;                       ///< 1 without y
-    Geometry fixed;                       ///< where neither axis is the angle
-    Integral integral = Integral::exact;  ///< of palettes, unless the light samples spectra
-    SpectralSampling sampling;            ///< of everything else
-    EffectSet without;                    ///< effects of the material that are not simulated
+    int height = 1;             ///< 1 without y
+    Geometry fixed;             ///< where neither axis is the angle
+    SpectralSampling sampling;  ///< of everything that is no closed form
+    EffectSet without;          ///< effects of the material that are not simulated
 
     /// Whether an axis is the angle; else all texels are seen under `fixed`.
     bool has_angle() const { return x.is_angle() || (y && y->is_angle()); }
@@ -48,7 +46,7 @@ EffectSet effects_in(const Job& job);
 /// "256 x 1".
 std::string size_text(const Job& job);
 
-/// How the job's spectra become XYZ: "exact", "fast", "48 nodes", "48 nodes x 256", "471 wavelengths".
+/// How the job's spectra become XYZ: "exact", "48 nodes", "48 nodes x 256", "471 wavelengths".
 std::string integration_text(const Job& job);
 
 }  // namespace nacre

@@ -8,17 +8,9 @@
 #include "nacre/lut/formats.h"
 #include "nacre/lut/job.h"
 #include "nacre/material/effects.h"
-#include "nacre/shade/integral.h"
 #include "nacre/shade/spectral_sampling.h"
 
 namespace nacre {
-
-/// Numbers of points that a scene insists on; 0: to be chosen.
-struct QuadratureWish {
-    int hemisphere = 0;
-    int sizes = 0;
-    int slices = 0;
-};
 
 /// What a scene says of a LUT's accuracy. What it leaves open is decided by settle(), where the colour space is known.
 struct AccuracyWish {
@@ -31,10 +23,7 @@ struct AccuracyWish {
     std::optional<int> width;
     std::optional<int> height;
     std::optional<PixelFormat> format;
-    std::optional<Integral> integral;
-    std::optional<NodeCounts> nodes;  ///< wavelengths of spectra that are sampled, per band of angles
-    std::optional<int> realisations;  ///< of irregular ones
-    QuadratureWish points;            ///< of effects that are integrals
+    SamplingCounts sampling;  ///< how many points sums have; 0: to be chosen
     /// Whether effects that make no difference that counts are left out; else all are simulated but these.
     bool may_drop_effects = true;
     EffectSet without;
@@ -45,14 +34,14 @@ struct AccuracyWish {
 /// One LUT: <name>.exr and what goes with it.
 struct PlannedLut {
     std::string name;
-    Job job;  ///< its size and integral are placeholders until settle() has decided them; so is the format
+    Job job;  ///< its size is a placeholder until settle() has decided it; so is the format
     AccuracyWish wish;
     PixelFormat format = PixelFormat::half_float;
     std::vector<LutOutput> outputs{LutOutput::exr, LutOutput::json};
     Where where;
 };
 
-/// Bounds that a user may give: below the least, single precision and the fast integral drown in their own rounding.
+/// Bounds that a user may give: below the least, single precision drowns in its own rounding.
 inline constexpr Allowed allowed_max_de00{1e-5, 100.0};
 
 /// The longest side of a LUT, in texels.

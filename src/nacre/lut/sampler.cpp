@@ -34,7 +34,7 @@ Sampler::Sampler(const Job& job)
     : job_(job),
       mechanism_(simulated_at(job, 0.0, 0.0)),
       sampling_(job.sampling),
-      prepared_(prepare_colour(mechanism_, sampling_, *job.light, job.integral)) {
+      prepared_(prepare_colour(mechanism_, sampling_, *job.light)) {
     assert(job.sampling.is_decided() || !samples_spectra(mechanism_));
 }
 
@@ -57,7 +57,7 @@ void Sampler::set_parameters(double x, double y) {
     const bool only_tilt_moves = same_but_for_tilt(next, mechanism_);
     mechanism_ = std::move(next);
     if (only_tilt_moves) return;
-    prepared_ = prepare_colour(mechanism_, sampling_, *job_.light, job_.integral);
+    prepared_ = prepare_colour(mechanism_, sampling_, *job_.light);
     facets_ = {};
 }
 

@@ -138,6 +138,12 @@ constexpr std::array<EffectRow, effect_count> all_effect_rows{{
 
 }  // namespace
 
+EffectSet EffectSet::minus(const EffectSet& other) const {
+    EffectSet rest = *this;
+    rest.bits_ &= ~other.bits_;
+    return rest;
+}
+
 int EffectSet::size() const {
     return std::popcount(bits_);
 }

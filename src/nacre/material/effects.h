@@ -32,6 +32,8 @@ public:
     bool has(Effect effect) const { return (bits_ & bit(effect)) != 0; }
     void insert(Effect effect) { bits_ |= bit(effect); }
     void erase(Effect effect) { bits_ &= ~bit(effect); }
+    /// Those that the other set has not.
+    EffectSet minus(const EffectSet& other) const;
     bool is_empty() const { return bits_ == 0; }
     int size() const;
     friend bool operator==(const EffectSet&, const EffectSet&) = default;

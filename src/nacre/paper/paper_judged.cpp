@@ -93,7 +93,8 @@ std::vector<Xyz> colours_at_degrees(const Mechanism& mechanism, const std::share
     // A hundredth of a just noticeable difference: errors of interest are above 1.
     constexpr double tolerance = 1e-2;
     const int realisations = is_irregular(mechanism) ? band_realisations : 0;
-    job.sampling = choose_sampling(job, {tolerance, tolerance, tolerance, 0.0}, {{}, realisations, {}}).sampling;
+    job.sampling =
+        choose_sampling(job, {tolerance, tolerance, tolerance, 0.0}, {.thickness_samples = realisations}).sampling;
     const Image<Xyz> image = bake(job);
     std::vector<Xyz> colours;
     for (int i = 0; i < degrees_count; ++i) colours.push_back(image.at(i, 0));
@@ -101,11 +102,10 @@ std::vector<Xyz> colours_at_degrees(const Mechanism& mechanism, const std::share
 }
 
 std::vector<double> differences(const std::vector<Xyz>& some, const std::vector<Xyz>& others, double scale) {
-    constexpr Xyz white = xyz_from_chromaticity(d65_chromaticity);
     std::vector<double> result;
     for (std::size_t i = 0; i < some.size(); ++i) {
         const Xyz other{scale * others[i].x, scale * others[i].y, scale * others[i].z};
-        result.push_back(ciede2000(to_lab(some[i], white), to_lab(other, white)));
+        result.push_back(difference_at(some[i], other, 1.0));
     }
     return result;
 }

@@ -29,7 +29,7 @@ constexpr std::size_t unknowns = 6;
 using Unknowns = std::array<double, unknowns>;
 
 Lab lab_of(const Xyz& colour) {
-    return to_lab(colour, xyz_from_chromaticity(d65_chromaticity));
+    return to_lab(colour, d65_white);
 }
 
 double y_of(double shape, const Incidence& at) {

@@ -13,7 +13,6 @@
 #include "nacre/material/mechanism.h"
 #include "nacre/optics/crystal.h"
 #include "nacre/optics/grating.h"
-#include "nacre/shade/integral.h"
 #include "nacre/shade/prepared_colour.h"
 #include "nacre/shade/work.h"
 
@@ -81,7 +80,7 @@ SearchSampling ShownColours::sampling_for(const Mechanism& mechanism, SearchDeta
     if (!samples_spectra(mechanism)) return sampling;
     SpectralSampling& spectra = sampling.spectra;
     if (const auto* crystal = std::get_if<Crystal>(&mechanism)) spectra.slices = slices_of(*crystal, rule);
-    if (is_irregular(mechanism)) spectra.realisations = rule.realisations;
+    if (is_irregular(mechanism)) spectra.thickness_samples = rule.realisations;
     int count = 0;  // of nodes; 0: the scene's own
     if (!light_.settings.wavelengths) {
         const double wanted =
@@ -101,7 +100,7 @@ void ShownColours::at(const Mechanism& mechanism, const SearchSampling& sampling
     const auto* grating = std::get_if<Grating>(&mechanism);
     PreparedColour prepared = grating != nullptr && sampling.pieces
                                   ? GratingColour(*grating, light_, sampling.pieces)
-                                  : prepare_colour(mechanism, sampling.spectra, light_, Integral::exact);
+                                  : prepare_colour(mechanism, sampling.spectra, light_);
     Work work;
     for (std::size_t i = 0; i < places_.size(); ++i)
         shown[i] = adapt(light_.adaptation, colour_at(prepared, places_[i], work));

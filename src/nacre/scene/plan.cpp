@@ -114,7 +114,7 @@ Plan plan_scene(const Table& scene, const SceneFiles& files, const PlanRequest& 
         const std::vector<std::string> messages = missed_pick_messages(plan, true);
         if (!messages.empty()) throw Error(messages.front());
     }
-    plan.warnings = warnings_of(plan);
+    plan.warnings = joined(accuracy.warnings, warnings_of(plan));
     scene.expect_all_read();
     OutputNames().claim(plan);
     return plan;

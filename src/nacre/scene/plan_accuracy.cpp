@@ -3,14 +3,13 @@
 #include "nacre/base/names.h"
 #include "nacre/scene/catalogue.h"
 #include "nacre/scene/plan_tables.h"
-#include "nacre/shade/integral.h"
 
 namespace nacre {
 namespace {
 
 constexpr Allowed allowed_wavelengths{2, 10000};
 constexpr Allowed allowed_nodes{8, most_nodes};
-constexpr Allowed allowed_realisations{2, 16384};
+constexpr Allowed allowed_thickness_samples{2, 16384};
 constexpr Allowed allowed_directions{2, 256};
 constexpr Allowed allowed_radii{2, 4096};
 constexpr Allowed allowed_slices{4, 1024};
@@ -33,7 +32,7 @@ NodeCounts read_nodes(const Table& table, const Value& value) {
     return counts;
 }
 
-// Which effects are simulated, and how finely those are that are integrals.
+// Which effects are simulated.
 void read_effect_wishes(const Table& table, AccuracySettings& accuracy) {
     if (const Value* effects = table.find("effects")) {
         const std::string& word = table.checked_text("effects", *effects);
@@ -49,12 +48,80 @@ void read_effect_wishes(const Table& table, AccuracySettings& accuracy) {
             table.fail_at("without", "unknown effect " + in_quotes(name) + "; known: " + comma_separated(known));
         accuracy.without.insert(static_cast<Effect>(found - known.begin()));
     }
-    accuracy.points.hemisphere = table.integer_or("base_directions", allowed_directions, 0);
-    accuracy.points.sizes = table.integer_or("radii", allowed_radii, 0);
-    if (const Value* slices = table.find("slices")) {
-        accuracy.points.slices = table.checked_integer("slices", *slices, allowed_slices);
-        if (accuracy.points.slices % 4 != 0) table.fail(slices->where, "slices come in fours; give 4, 8, 12, ...");
+}
+
+// One of the counts in [accuracy.sampling]. Until version 0.2 the scene may say it in [accuracy], under its old key.
+struct Count {
+    const Table* table = nullptr;  // null: the scene does not say it
+    std::string key;
+    const Value* value = nullptr;
+};
+
+bool has_key(const Table& table, std::string_view key) {
+    return std::any_of(table.entries().begin(), table.entries().end(),
+                       [&](const Table::Entry& entry) { return entry.key == key; });
+}
+
+std::string place_of(const Table& table, std::string_view key) {
+    for (const Table::Entry& entry : table.entries()) {
+        if (entry.key == key) return entry.key_where.text() + " [" + table.path() + "]: ";
     }
+    return {};
+}
+
+Count find_count(const Table& accuracy, const Table* sampling, const std::string& key, const std::string& old_key,
+                 std::vector<std::string>& warnings) {
+    const Value* value = sampling != nullptr ? sampling->find(key) : nullptr;
+    const bool has_old = has_key(accuracy, old_key);  // asked for so, an old key is not proposed for a misspelling
+    if (value != nullptr && has_old)
+        accuracy.fail_at(old_key,
+                         old_key + " is also given as " + key + " in [accuracy.sampling]; leave out one of them");
+    if (value != nullptr) return {sampling, key, value};
+    if (!has_old) return {};
+    warnings.push_back(place_of(accuracy, old_key) + "the key " + old_key + " is now " +
+                       (key == old_key ? "" : key + ", ") +
+                       "in the table [accuracy.sampling]; a later version will not read it here");
+    return {&accuracy, old_key, accuracy.find(old_key)};
+}
+
+// @param step  counts come in multiples of this
+int read_count(const Count& count, const Allowed& allowed, int step) {
+    if (count.table == nullptr) return 0;
+    const int number = count.table->checked_integer(count.key, *count.value, allowed);
+    if (number % step == 0) return number;
+    count.table->fail(count.value->where, count.key + " = " + std::to_string(number) + " is not a multiple of " +
+                                              std::to_string(step) + "; give " + std::to_string(step) + ", " +
+                                              std::to_string(2 * step) + ", " + std::to_string(3 * step) + " ...");
+}
+
+SamplingCounts read_sampling(const Table& accuracy, std::vector<std::string>& warnings) {
+    const Table* sampling = accuracy.table("sampling");
+    const auto count = [&](const std::string& key, const std::string& old_key) {
+        return find_count(accuracy, sampling, key, old_key, warnings);
+    };
+    SamplingCounts counts;
+    if (const Count nodes = count("nodes", "nodes"); nodes.table != nullptr) {
+        counts.nodes = read_nodes(*nodes.table, *nodes.value);
+        if (has_key(accuracy, "wavelengths")) {
+            nodes.table->fail_at("nodes",
+                                 "nodes and wavelengths both say where spectra are sampled; leave one of them out");
+        }
+    }
+    // Samples come in pairs, one as much thicker as the other is thinner; slices in fours, see optics/crystal.h.
+    counts.thickness_samples = read_count(count("thickness_samples", "realisations"), allowed_thickness_samples, 2);
+    counts.base_directions = read_count(count("base_directions", "base_directions"), allowed_directions, 1);
+    counts.radii = read_count(count("radii", "radii"), allowed_radii, 1);
+    counts.slices = read_count(count("slices", "slices"), allowed_slices, 4);
+    if (sampling != nullptr) sampling->expect_all_read();
+    return counts;
+}
+
+void warn_of_integral(const Table& table, std::vector<std::string>& warnings) {
+    if (!has_key(table, "integral")) return;
+    table.find("integral");
+    warnings.push_back(place_of(table, "integral") +
+                       "the key integral has no effect any more, because the band of a palette is always integrated "
+                       "exactly; leave it out");
 }
 
 }  // namespace
@@ -66,23 +133,8 @@ AccuracySettings read_accuracy(const Table* table) {
         accuracy.max_de00 = table->checked_number("max_de00", *bound, allowed_max_de00);
     if (const Value* nodes = table->find("wavelengths"))
         accuracy.wavelengths = table->checked_integer("wavelengths", *nodes, allowed_wavelengths);
-    if (const Value* integral = table->find("integral")) {
-        accuracy.integral =
-            meaning_of(integral_words, "integral", table->checked_text("integral", *integral), *table, integral->where);
-        if (accuracy.wavelengths) {
-            table->fail(integral->where,
-                        "integral says how to do without wavelengths, and wavelengths is given; leave one of them out");
-        }
-    }
-    if (const Value* nodes = table->find("nodes")) accuracy.nodes = read_nodes(*table, *nodes);
-    if (accuracy.nodes && accuracy.wavelengths) {
-        table->fail_at("nodes", "nodes and wavelengths both say where spectra are sampled; leave one of them out");
-    }
-    if (const Value* realisations = table->find("realisations")) {
-        accuracy.realisations = table->checked_integer("realisations", *realisations, allowed_realisations);
-        if (*accuracy.realisations % 2 != 0)
-            table->fail(realisations->where, "realisations come in pairs; give an even number");
-    }
+    warn_of_integral(*table, accuracy.warnings);
+    accuracy.sampling = read_sampling(*table, accuracy.warnings);
     read_effect_wishes(*table, accuracy);
     accuracy.size = read_lut_size(*table);
     table->expect_all_read();

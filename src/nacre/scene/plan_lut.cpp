@@ -133,7 +133,6 @@ void take_wish(const AccuracyWish& wish, PlannedLut& lut) {
     lut.wish = wish;
     lut.job.width = wish.width.value_or(lut.job.width);
     if (lut.job.y) lut.job.height = wish.height.value_or(placeholder_height);
-    lut.job.integral = wish.integral.value_or(lut.job.integral);
     lut.format = wish.format.value_or(lut.format);
 }
 
@@ -142,10 +141,7 @@ AccuracyWish default_wish(const AccuracySettings& accuracy, bool has_y) {
     wish.max_de00 = accuracy.max_de00.value_or(AccuracyWish::default_max_de00);
     wish.is_binding = accuracy.max_de00.has_value();
     wish.has_bound = wish.is_binding || (!accuracy.wavelengths && !accuracy.size.width);
-    wish.integral = accuracy.integral;
-    wish.nodes = accuracy.nodes;
-    wish.realisations = accuracy.realisations;
-    wish.points = accuracy.points;
+    wish.sampling = accuracy.sampling;
     wish.may_drop_effects = accuracy.may_drop_effects;
     wish.without = accuracy.without;
     wish.width = accuracy.size.width;

@@ -30,13 +30,11 @@ LutSize read_lut_size(const Table& table);
 struct AccuracySettings {
     std::optional<double> max_de00;
     std::optional<int> wavelengths;
-    std::optional<Integral> integral;
-    std::optional<NodeCounts> nodes;
-    std::optional<int> realisations;
-    QuadratureWish points;
+    SamplingCounts sampling;
     bool may_drop_effects = true;
     EffectSet without;
     LutSize size;
+    std::vector<std::string> warnings;  ///< of keys that have moved, with file, line and column
 };
 /// @param table  null: nothing is said
 AccuracySettings read_accuracy(const Table* table);

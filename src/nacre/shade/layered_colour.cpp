@@ -155,7 +155,8 @@ std::vector<double> base_factors(const Base& base, const LayerEnsemble& ensemble
 LayeredColour::LayeredColour(const Mechanism& mechanism, SpectralSampling sampling)
     : sampling_(std::move(sampling)),
       effects_(mechanism.effects),
-      ensemble_(layer_ensemble(mechanism, sampling_.realisations, sampling_.blurred, sampling_.slices)) {}
+      ensemble_(layer_ensemble(mechanism, sampling_.thickness_samples, sampling_.incoherent_layers, sampling_.slices)) {
+}
 
 LayeredColour::Band& LayeredColour::band_at(std::size_t index, Work* work) {
     Band& band = bands_[index];
@@ -163,7 +164,7 @@ LayeredColour::Band& LayeredColour::band_at(std::size_t index, Work* work) {
     const SpectralNodes& nodes = *sampling_.nodes[index];
     for (const LayerSystem& system : ensemble_.systems) band.solvers.emplace_back(system, nodes.wavelength_nm);
     if (const Base* base = diffuse_base(effects_))
-        band.base_factors = base_factors(*base, ensemble_, nodes.wavelength_nm, sampling_.hemisphere, work);
+        band.base_factors = base_factors(*base, ensemble_, nodes.wavelength_nm, sampling_.base_directions, work);
     return band;
 }
 
@@ -224,7 +225,7 @@ void LayeredColour::count(const SpectralNodes& nodes, Work& work) const {
         if (is_dispersive(system, half_space)) work_of(work.effects, Effect::dispersion).layers += samples;
     }
     // Layers that were made incoherent, like nodes, are not part of the scene.
-    incoherent -= std::min<std::uint64_t>(incoherent, sampling_.blurred.size());
+    incoherent -= std::min<std::uint64_t>(incoherent, sampling_.incoherent_layers.size());
     work_of(work.effects, Effect::incoherent_layers).layers += spectra * incoherent;
 }
 

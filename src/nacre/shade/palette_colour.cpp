@@ -3,7 +3,6 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "nacre/colour/lobe_moments.h"
 #include "nacre/colour/tristimulus.h"
 
 namespace nacre {
@@ -24,10 +23,6 @@ Xyz PaletteColour::at(const Incidence& incidence, Work& work) {
             sum.z += r * light.grid_weights.z[i];
         }
         return sum;
-    }
-    if (integral_ == Integral::fast) {
-        ++work.fast_integrals;
-        return lobe_to_xyz_fast(light.weights, light.moments, lobe.peak_nm, lobe.width_nm, lobe.height);
     }
     ++work.exact_integrals;
     return lobe_to_xyz(light.weights, lobe.peak_nm, lobe.width_nm, lobe.height);

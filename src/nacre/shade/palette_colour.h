@@ -4,7 +4,6 @@
 #include "nacre/colour/light.h"
 #include "nacre/optics/incidence.h"
 #include "nacre/optics/palette.h"
-#include "nacre/shade/integral.h"
 #include "nacre/shade/work.h"
 
 namespace nacre {
@@ -13,8 +12,7 @@ namespace nacre {
 class PaletteColour {
 public:
     /// @param light  has to outlive this
-    PaletteColour(const Palette& palette, const Light& light, Integral integral)
-        : curve_(palette), light_(&light), integral_(integral) {}
+    PaletteColour(const Palette& palette, const Light& light) : curve_(palette), light_(&light) {}
 
     void reset(const Palette& palette) { curve_.reset(palette); }
     Lobe lobe_at(const Incidence& incidence) { return curve_.at(incidence); }
@@ -24,7 +22,6 @@ public:
 private:
     PaletteCurve curve_;
     const Light* light_;
-    Integral integral_;
 };
 
 }  // namespace nacre

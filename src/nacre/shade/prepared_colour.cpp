@@ -1,6 +1,5 @@
 #include "nacre/shade/prepared_colour.h"
 
-#include "nacre/shade/integral.h"
 #include "nacre/shade/shading.h"
 
 namespace nacre {
@@ -24,9 +23,8 @@ struct ColourAt {
 
 }  // namespace
 
-PreparedColour prepare_colour(const Mechanism& mechanism, const SpectralSampling& sampling, const Light& light,
-                              Integral integral) {
-    return shading_of(mechanism).prepare(mechanism, sampling, light, integral);
+PreparedColour prepare_colour(const Mechanism& mechanism, const SpectralSampling& sampling, const Light& light) {
+    return shading_of(mechanism).prepare(mechanism, sampling, light);
 }
 
 Xyz colour_at(PreparedColour& prepared, const Geometry& geometry, Work& work) {

@@ -7,7 +7,6 @@
 #include "nacre/material/geometry.h"
 #include "nacre/material/mechanism.h"
 #include "nacre/shade/grating_colour.h"
-#include "nacre/shade/integral.h"
 #include "nacre/shade/layered_colour.h"
 #include "nacre/shade/measured_colour.h"
 #include "nacre/shade/palette_colour.h"
@@ -22,8 +21,7 @@ using PreparedColour = std::variant<PaletteColour, LayeredColour, GratingColour,
 
 /// @param light     has to outlive the result
 /// @param sampling  decided, if the mechanism needs it
-PreparedColour prepare_colour(const Mechanism& mechanism, const SpectralSampling& sampling, const Light& light,
-                              Integral integral);
+PreparedColour prepare_colour(const Mechanism& mechanism, const SpectralSampling& sampling, const Light& light);
 
 /// Before adaptation. @param work  what it takes is added
 Xyz colour_at(PreparedColour& prepared, const Geometry& geometry, Work& work);

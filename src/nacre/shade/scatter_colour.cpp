@@ -7,7 +7,7 @@ namespace nacre {
 ScatterColour::ScatterColour(const Mechanism& mechanism, const SpectralSampling& sampling)
     : nodes_(sampling.nodes.front()),
       solver_(std::get<Scatter>(mechanism), nodes_->wavelength_nm,
-              std::get<Scatter>(mechanism).radius_spread > 0.0 ? sampling.sizes : 1),
+              std::get<Scatter>(mechanism).radius_spread > 0.0 ? sampling.radii : 1),
       polarisation_(mechanism.effects.polarisation),
       is_spread_(std::get<Scatter>(mechanism).radius_spread > 0.0),
       absorbs_(row_of(Effect::absorption).is_in(mechanism, 0.0)),

@@ -33,9 +33,8 @@ std::vector<Response> unpolarised(Wavelengths wavelengths_nm, const Reflectance&
 
 // ---- palette
 
-PreparedColour prepare_palette(const Mechanism& mechanism, const SpectralSampling&, const Light& light,
-                               Integral integral) {
-    return PaletteColour(std::get<Palette>(mechanism), light, integral);
+PreparedColour prepare_palette(const Mechanism& mechanism, const SpectralSampling&, const Light& light) {
+    return PaletteColour(std::get<Palette>(mechanism), light);
 }
 
 std::vector<Response> palette_responses(const Mechanism& mechanism, const Geometry& geometry, Wavelengths nm) {
@@ -49,7 +48,7 @@ std::vector<double> palette_kinks(const Mechanism& mechanism) {
 
 // ---- film, stack, crystal
 
-PreparedColour prepare_layers(const Mechanism& mechanism, const SpectralSampling& sampling, const Light&, Integral) {
+PreparedColour prepare_layers(const Mechanism& mechanism, const SpectralSampling& sampling, const Light&) {
     return LayeredColour(mechanism, sampling);
 }
 
@@ -69,7 +68,7 @@ LayerSystem crystal_layers(const Mechanism& mechanism, int slices) {
 
 // ---- grating
 
-PreparedColour prepare_grating(const Mechanism& mechanism, const SpectralSampling&, const Light& light, Integral) {
+PreparedColour prepare_grating(const Mechanism& mechanism, const SpectralSampling&, const Light& light) {
     return GratingColour(std::get<Grating>(mechanism), light);
 }
 
@@ -82,7 +81,7 @@ std::vector<Response> grating_responses(const Mechanism& mechanism, const Geomet
 
 // ---- scatter
 
-PreparedColour prepare_scatter(const Mechanism& mechanism, const SpectralSampling& sampling, const Light&, Integral) {
+PreparedColour prepare_scatter(const Mechanism& mechanism, const SpectralSampling& sampling, const Light&) {
     return ScatterColour(mechanism, sampling);
 }
 
@@ -100,7 +99,7 @@ std::vector<Response> scatter_responses(const Mechanism& mechanism, const Geomet
 
 // ---- measured
 
-PreparedColour prepare_measured(const Mechanism& mechanism, const SpectralSampling&, const Light& light, Integral) {
+PreparedColour prepare_measured(const Mechanism& mechanism, const SpectralSampling&, const Light& light) {
     return MeasuredColour(std::get<MeasuredSpectra>(mechanism), light);
 }
 

@@ -8,7 +8,6 @@
 #include "nacre/material/mechanism.h"
 #include "nacre/optics/layer_system.h"
 #include "nacre/optics/response.h"
-#include "nacre/shade/integral.h"
 #include "nacre/shade/prepared_colour.h"
 #include "nacre/shade/spectral_sampling.h"
 
@@ -19,7 +18,7 @@ struct ShadingRow {
     /// Whether its colour is a sum over sampled wavelengths: else it has a closed form.
     bool samples_spectra;
     /// See prepare_colour().
-    PreparedColour (*prepare)(const Mechanism&, const SpectralSampling&, const Light&, Integral);
+    PreparedColour (*prepare)(const Mechanism&, const SpectralSampling&, const Light&);
     /// See responses_at().
     std::vector<Response> (*responses)(const Mechanism&, const Geometry&, std::span<const double> wavelengths_nm);
     /// See kinks_deg().

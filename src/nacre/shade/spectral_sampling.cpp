@@ -14,9 +14,9 @@ std::size_t band_of(const Incidence& incidence) {
     return band;
 }
 
-NodeCounts SpectralSampling::node_counts() const {
-    NodeCounts counts{};
-    for (std::size_t band = 0; band < counts.size(); ++band) counts[band] = nodes[band] ? nodes[band]->count : 0;
+SamplingCounts SpectralSampling::counts() const {
+    SamplingCounts counts{{}, thickness_samples, base_directions, radii, slices};
+    for (std::size_t band = 0; band < nodes.size(); ++band) counts.nodes[band] = nodes[band] ? nodes[band]->count : 0;
     return counts;
 }
 

@@ -22,30 +22,39 @@ inline constexpr std::array<double, 4> band_least_cos_theta{0.3, 0.05, 0.004, 0.
 using NodeCounts = std::array<int, band_least_cos_theta.size()>;
 std::size_t band_of(const Incidence& incidence);
 
-/// The sampling of colours that have no closed form: the nodes of spectra, and the points of effects that are
-/// integrals.
+/// How many points each sum of a colour takes. In a request 0 leaves a number to be chosen.
+struct SamplingCounts {
+    NodeCounts nodes{};         ///< wavelengths at which spectra are sampled, per band of angles
+    int thickness_samples = 0;  ///< layer systems whose mean is what uneven layers show
+    int base_directions = 0;    ///< of light below layers with a base, on either side of the critical angle
+    int radii = 0;              ///< of scattering spheres
+    int slices = 0;             ///< of a crystal's plane, in each of which its index is even
+    friend bool operator==(const SamplingCounts&, const SamplingCounts&) = default;
+};
+
 inline constexpr int default_slices = 24;
 
+/// The sampling of colours that have no closed form: the nodes of spectra, and the points of effects that are
+/// integrals.
 struct SpectralSampling {
     std::array<std::shared_ptr<const SpectralNodes>, band_least_cos_theta.size()> nodes;  ///< null: not decided
-    int realisations = 1;  ///< of uneven layers: layer systems whose mean is taken
-    /// Layers so thick that their fringes cannot be seen; they are computed as incoherent. Nodes of the
-    /// layer system.
-    std::vector<std::size_t> blurred;
+    int thickness_samples = 1;                                                            ///< see SamplingCounts
+    int base_directions = 8;                                                              ///< likewise
+    int radii = 1;                                                                        ///< likewise
+    int slices = default_slices;                                                          ///< likewise
+    /// Layers so thick that their fringes cannot be seen; they are computed as incoherent. Nodes of the layer system.
+    std::vector<std::size_t> incoherent_layers;
     /// Of a tilted surface: what one facet shows, before adaptation; null: made when it is asked for.
     std::shared_ptr<const XyzCurve> facets;
-    int hemisphere = 8;  ///< directions of light below layers with a base, on either side of the critical angle
-    int sizes = 1;       ///< radii of spheres
-    int slices = default_slices;  ///< of a crystal's period, in each of which its index is even
 
     bool is_decided() const { return nodes.front() != nullptr; }
-    /// 0 in all bands if not decided.
-    NodeCounts node_counts() const;
+    /// The nodes are 0 in all bands if not decided.
+    SamplingCounts counts() const;
 };
 
 /// Whether a mechanism's spectra are sampled at nodes: only then does a SpectralSampling have anything to choose.
 bool samples_spectra(const Mechanism& mechanism);
-/// Whether it is a mean over realisations.
+/// Whether it is a mean over samples of uneven thicknesses.
 bool is_irregular(const Mechanism& mechanism);
 
 /// Interference fringes over the light's range, were all coherent layers one.

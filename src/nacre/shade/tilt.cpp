@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "nacre/base/gauss_points.h"
-#include "nacre/colour/colour_distance.h"
+#include "nacre/colour/difference.h"
 #include "nacre/shade/spectral_sampling.h"
 
 namespace nacre {
@@ -219,7 +219,7 @@ XyzCurve facet_curve(const std::function<Xyz(const Incidence&)>& colour, const s
     for (const double cos_theta : band_least_cos_theta) borders.push_back(std::sqrt(cos_theta));
     const auto agrees = [&](const Xyz& one, const Xyz& other) {
         brightest = std::max(brightest, other.y);
-        return distance_at(one, other, brightest) <= facet_curve_error;
+        return difference_at(one, other, display_scale(brightest)) <= facet_curve_error;
     };
     return XyzCurve(at, curve_borders(std::move(borders)), agrees, after_step);
 }

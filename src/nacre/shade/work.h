@@ -10,7 +10,6 @@ namespace nacre {
 /// The work of a computation. It is counted and not timed, so that the same job has the same numbers on every machine.
 struct Work {
     std::uint64_t exact_integrals = 0;  ///< lobes integrated in closed form
-    std::uint64_t fast_integrals = 0;   ///< lobes integrated by running moments
     std::uint64_t spectra = 0;          ///< spectra sampled at nodes
     std::uint64_t samples = 0;          ///< reflectances of these: their nodes, of all realisations
     std::uint64_t texels = 0;           ///< of all LUTs that were computed, trials too
@@ -23,7 +22,6 @@ struct Work {
 
 inline Work& operator+=(Work& sum, const Work& more) {
     sum.exact_integrals += more.exact_integrals;
-    sum.fast_integrals += more.fast_integrals;
     sum.spectra += more.spectra;
     sum.samples += more.samples;
     sum.texels += more.texels;

@@ -246,9 +246,8 @@ Swatch draw_strip(const PlannedSwatch& planned, const LutSpace& space) {
     draw_title(swatch, planned.title, job, job.y ? area.left - 10 : area.left, area.left + area.width);
     draw_frame(swatch, area);
     draw_x_axis(swatch, area, job.x, axis_title(job.x));
-    const bool has_angle = job.x.is_angle() || (job.y && job.y->is_angle());
     if (job.y) draw_y_axis(swatch, area, *job.y, axis_title(*job.y));
-    if (!has_angle) {
+    if (!job.has_angle()) {
         const std::string note = "seen at " + fixed_text(job);
         swatch.overlays.push_back(Text{note, {area.box().right, area.top - 22.0}, label_px, Align::right, dim_grey});
     }

@@ -19,7 +19,6 @@
 #include "nacre/lut/sampler.h"
 #include "nacre/material/geometry.h"
 #include "nacre/optics/palette.h"
-#include "nacre/shade/integral.h"
 #include "nacre/shade/spectral_sampling.h"
 
 namespace nacre {
@@ -195,7 +194,6 @@ Panel bake_panel(const Job& job, const PlotArea& area) {
     Job sized = job;
     sized.width = area.width;
     sized.height = job.y ? area.height : 1;
-    sized.integral = Integral::fast;  // the difference is invisible in 8 bits
     sized.sampling = choose_sampling(sized, {0.1, 1.0, 0.1, 0.0}).sampling;
     if (const double reduction = panel_reduction(sized); job.y && reduction > 1.0) {
         constexpr double smallest = 64.0;

@@ -13,7 +13,6 @@
 #include "nacre/lut/job.h"
 #include "nacre/material/geometry.h"
 #include "nacre/material/mechanism.h"
-#include "nacre/shade/integral.h"
 #include "nacre/swatch/swatch_gamut.h"
 
 namespace nacre {
@@ -132,7 +131,6 @@ SphereTable sphere_table(const Job& job) {
     fine.y.reset();
     fine.width = table_size;
     fine.height = 1;
-    fine.integral = Integral::fast;  // the difference is invisible in 8 bits
     fine.sampling = choose_sampling(fine, {0.1, 1.0, 0.1, 0.0}).sampling;
     SphereTable table{bake(fine), quantity, 0.0};
     for (const Xyz& colour : table.colours) table.brightest = std::max(table.brightest, colour.y);

@@ -24,11 +24,11 @@
 
 #include "nacre/accuracy/choose_sampling.h"
 #include "nacre/accuracy/settle.h"
+#include "nacre/accuracy/survey.h"
 #include "nacre/colour/illuminant.h"
 #include "nacre/lut/bake.h"
 #include "nacre/lut/planned_lut.h"
 #include "nacre/material/effects.h"
-#include "nacre/shade/integral.h"
 #include "reference/lut.h"
 #include "reference/materials.h"
 #include "reference/model.h"
@@ -127,13 +127,12 @@ std::vector<ModelXyz> program_colours(const Job& settled, const EffectSet& witho
     Job job = settled;
     job.width = points;
     job.without = without;
-    job.integral = Integral::exact;
     SpectralSampling sampling;
     sampling.nodes.fill(std::make_shared<const SpectralNodes>(make_spectral_nodes(job.light->weights, nodes)));
     // Many, where they are what is compared.
-    sampling.realisations = settled.without.has(Effect::thickness_spread) ? 128 : 16;
-    sampling.hemisphere = 12;
-    sampling.sizes = 40;
+    sampling.thickness_samples = settled.without.has(Effect::thickness_spread) ? 128 : 16;
+    sampling.base_directions = 12;
+    sampling.radii = 40;
     job.sampling = sampling;
     std::vector<ModelXyz> colours;
     for (const Xyz& colour : bake(job)) colours.push_back({colour.x, colour.y, colour.z});

@@ -13,7 +13,6 @@
 #include "nacre/lut/formats.h"
 #include "nacre/lut/gamut.h"
 #include "nacre/scene/readers/axis_reader.h"
-#include "nacre/shade/integral.h"
 #include "support/palette_luts.h"
 
 namespace nacre {
@@ -35,14 +34,13 @@ struct MeasuredLut {
 std::vector<Job> many_jobs() {
     Job sampled = test::job_of(test::morpho, 256);
     sampled.light = test::light_of("D65", 40);
-    Job fast = test::job_of(test::opal, 256);
-    fast.light = test::light_of("A");
-    fast.integral = Integral::fast;
+    Job yellowish = test::job_of(test::opal, 256);
+    yellowish.light = test::light_of("A");
     return {
         test::job_of(test::morpho, 64),
         test::job_of(test::beetle, 128),
         sampled,
-        fast,
+        yellowish,
         test::job_over(test::morpho, parameter_axis(test::morpho, "peak_nm", 400.0, 700.0), 20.0, 128),
         test::job_of(test::beetle, parameter_axis(test::beetle, "width_nm", 60.0, 200.0), 32, 16),
     };
@@ -151,17 +149,14 @@ TEST(Measure, JudgesAGamutRuleByWhatItWasAskedToShow) {
 }
 
 TEST(Measure, CountsWhatThePlanSaysItWill) {
-    for (Job job : many_jobs()) {
-        for (const Integral integral : {Integral::exact, Integral::fast}) {
-            job.integral = integral;
-            for (const std::size_t suspect_count : {std::size_t{0}, std::size_t{48}}) {
-                const std::vector<LutPoint> suspects(suspect_count, LutPoint{0.25, 0.5});
-                Work work;
-                const Image<Xyz> texels = bake(job, {}, &work);
-                work += measure(job, encoding.to_rgb(texels), encoding, suspects).work;
-                EXPECT_EQ(test::without_effects(work), bake_work(job, suspect_count));
-                EXPECT_EQ(work.texels, texels.size());
-            }
+    for (const Job& job : many_jobs()) {
+        for (const std::size_t suspect_count : {std::size_t{0}, std::size_t{48}}) {
+            const std::vector<LutPoint> suspects(suspect_count, LutPoint{0.25, 0.5});
+            Work work;
+            const Image<Xyz> texels = bake(job, {}, &work);
+            work += measure(job, encoding.to_rgb(texels), encoding, suspects).work;
+            EXPECT_EQ(test::without_effects(work), bake_work(job, suspect_count));
+            EXPECT_EQ(work.texels, texels.size());
         }
     }
 }

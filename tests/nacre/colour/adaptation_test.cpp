@@ -13,8 +13,6 @@
 namespace nacre {
 namespace {
 
-constexpr Xyz d65_white = xyz_from_chromaticity(d65_chromaticity);
-
 /// The whites that adaptation_matrices.csv names, with the numbers of its first line.
 const std::map<std::string, Xyz>& published_whites() {
     static const std::map<std::string, Xyz> whites{

@@ -130,10 +130,9 @@ TEST(LobeMoments, OfARangeThatEndsInTheLightAgreeToo) {
 
 /// The largest CIEDE2000 by which a band that is the brightest of its LUT changes.
 Worst worst_difference(const std::vector<Light>& lights, double widest_nm) {
-    constexpr Xyz d65 = xyz_from_chromaticity(d65_chromaticity);
     Worst worst;
     for (const Light& light : lights) {
-        const glm::dmat3 adaptation = adaptation_matrix(Adaptation::bradford, light.weights.white, d65);
+        const glm::dmat3 adaptation = adaptation_matrix(Adaptation::bradford, light.weights.white, d65_white);
         for (int i = 0; i < bands; ++i) {
             const Band band = band_of(i);
             const Xyz exact = lobe_to_xyz(light.weights, band.peak_nm, band.width_nm, 1.0);
@@ -141,7 +140,7 @@ Worst worst_difference(const std::vector<Light>& lights, double widest_nm) {
             const Xyz fast = lobe_to_xyz_fast(light.weights, light.moments, band.peak_nm, band.width_nm, 1.0);
             const auto lab = [&](const Xyz& colour) {
                 const Xyz seen = adapt(adaptation, colour);
-                return to_lab({seen.x / exact.y, seen.y / exact.y, seen.z / exact.y}, d65);
+                return to_lab({seen.x / exact.y, seen.y / exact.y, seen.z / exact.y}, d65_white);
             };
             worst.see(ciede2000(lab(exact), lab(fast)), light, band);
         }

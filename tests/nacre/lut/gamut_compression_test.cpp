@@ -27,9 +27,8 @@ constexpr std::array spaces{"lin_rec709_scene",  "lin_p3d65_scene", "lin_adoberg
 // To the space's RGB from XYZ of D65, its white at (1, 1, 1).
 glm::dmat3 rgb_of_xyz(const std::string& space) {
     const RgbPrimaries primaries = *primaries_by_interop_id(space);
-    return xyz_to_rgb_matrix(primaries) * adaptation_matrix(Adaptation::bradford,
-                                                            xyz_from_chromaticity(d65_chromaticity),
-                                                            xyz_from_chromaticity(primaries.white));
+    return xyz_to_rgb_matrix(primaries) *
+           adaptation_matrix(Adaptation::bradford, d65_white, xyz_from_chromaticity(primaries.white));
 }
 
 Rgb rgb_of(const glm::dmat3& matrix, Xyz colour) {

@@ -271,9 +271,9 @@ TEST(Effects, OfSizeZeroChangeNoBit) {
         const Image<Xyz> plain = bake(job);
         nothing.set_to_zero(job.material.mechanism);
         // Whatever number of points there would be, had the effect a size.
-        job.sampling.realisations = 64;
-        job.sampling.hemisphere = 32;
-        job.sampling.sizes = 48;
+        job.sampling.thickness_samples = 64;
+        job.sampling.base_directions = 32;
+        job.sampling.radii = 48;
         EXPECT_TRUE(same_bits(bake(job), plain)) << nothing.name;
         // The other way round: with a size, removed by name.
         Mechanism refined = nothing.plain;
@@ -321,7 +321,7 @@ TEST(Polarisation, LutsOfSAndPAverageToTheMean) {
                                      stack_of({layer_of(2.3, 60.0), layer_of(1.52, 1e6, true)})};
     for (const Mechanism& mechanism : all) {
         Job job = sampled(mechanism);
-        job.sampling.realisations = 16;
+        job.sampling.thickness_samples = 16;
         const Image<Xyz> mean = bake(job);
         job.material.mechanism.effects.polarisation = Polarisation::s;
         const Image<Xyz> s = bake(job);
@@ -352,8 +352,8 @@ std::string names_of(const EffectSet& effects) {
 EffectWorks works_of(const Mechanism& mechanism) {
     Job job = sampled(mechanism, 32);
     job.width = 9;
-    job.sampling.realisations = 4;
-    job.sampling.sizes = 6;
+    job.sampling.thickness_samples = 4;
+    job.sampling.radii = 6;
     Work work;
     bake(job, {}, &work);
     return work.effects;
@@ -445,7 +445,7 @@ TEST(EffectWork, IsNothingOfWhatIsLeftOut) {
 TEST(EffectWork, OfABlurredFilmIsNoneOfIncoherentLayers) {
     Job job = job_of(film_on(1.5, 50000.0), 9);
     job.sampling = default_sampling(job);
-    ASSERT_FALSE(job.sampling.blurred.empty());
+    ASSERT_FALSE(job.sampling.incoherent_layers.empty());
     Work work;
     bake(job, {}, &work);
     EXPECT_FALSE(is_counted(work_of(work.effects, Effect::incoherent_layers)));
@@ -459,7 +459,7 @@ TEST(Effects, LeftOutMayTakeABlurredLayerAlong) {
     tolerance.effects = 0.1;
     const ChosenSampling chosen = choose_sampling(job, tolerance);
     ASSERT_TRUE(chosen.without.has(Effect::incoherent_layers));
-    ASSERT_EQ(chosen.sampling.blurred, std::vector<std::size_t>{1});
+    ASSERT_EQ(chosen.sampling.incoherent_layers, std::vector<std::size_t>{1});
     job.sampling = chosen.sampling;
     job.without = chosen.without;
     Work work;

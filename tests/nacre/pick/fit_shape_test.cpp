@@ -28,8 +28,7 @@ Xyz colour_of(const Lobe& lobe) {
 }
 
 double difference(const Lobe& one, const Lobe& other) {
-    const Xyz white = xyz_from_chromaticity(d65_chromaticity);
-    return ciede2000(to_lab(colour_of(one), white), to_lab(colour_of(other), white));
+    return ciede2000(to_lab(colour_of(one), d65_white), to_lab(colour_of(other), d65_white));
 }
 
 // Picks of a palette of two at other angles: on straight lines in Y, by the model's own formula.

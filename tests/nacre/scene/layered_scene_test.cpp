@@ -278,23 +278,57 @@ TEST(LayeredAxis, SetsTheNumberThatItNamesAndNoOther) {
               stack_toml(first, "{ index = 1.5, thickness_nm = 100 }") + "thickness_spread_nm = 2\n");
 }
 
+TEST(LayeredScene, OldPlacesOfSamplingCountsStillWorkWithAWarning) {
+    const TemporaryFolder folder;
+    const std::string film_scene(good_film);
+    const Plan old = plan_of(folder, film_scene +
+                                         "[accuracy]\nnodes = 64\nrealisations = 16\nbase_directions = 6\nradii = "
+                                         "12\nslices = 8\n");
+    const Plan now = plan_of(folder, film_scene +
+                                         "[accuracy.sampling]\nnodes = 64\nthickness_samples = 16\nbase_directions = "
+                                         "6\nradii = 12\nslices = 8\n");
+    EXPECT_EQ(old.luts[0].wish.sampling, now.luts[0].wish.sampling);
+    EXPECT_TRUE(now.warnings.empty());
+    ASSERT_EQ(old.warnings.size(), 5u);
+    const auto expect_warning = [&](std::size_t i, const std::string& text) {
+        EXPECT_TRUE(
+            old.warnings[i].ends_with(text + "in the table [accuracy.sampling]; a later version will not read it here"))
+            << old.warnings[i];
+    };
+    expect_warning(0, "s.toml:6:1 [accuracy]: the key nodes is now ");
+    expect_warning(1, "s.toml:7:1 [accuracy]: the key realisations is now thickness_samples, ");
+    expect_warning(4, "s.toml:10:1 [accuracy]: the key slices is now ");
+}
+
+TEST(LayeredScene, IntegralHasNoEffectAnyMore) {
+    const TemporaryFolder folder;
+    for (const char* word : {"exact", "fast"}) {
+        const Plan plan = plan_of(folder, std::string(good_film) + "[accuracy]\nintegral = \"" + word + "\"\n");
+        ASSERT_EQ(plan.warnings.size(), 1u);
+        EXPECT_TRUE(plan.warnings.front().ends_with(
+            "s.toml:6:1 [accuracy]: the key integral has no effect any more, because the band of a palette is always "
+            "integrated exactly; leave it out"))
+            << plan.warnings.front();
+    }
+}
+
 TEST(LayeredHeader, SaysWhereSpectraWereSampled) {
     const TemporaryFolder folder;
     const std::string rough =
-        std::string(stack) + "thickness_spread_nm = 5\nlayers = [ { index = 1.5, thickness_nm = 300 } ]\n[accuracy]\n";
+        std::string(stack) + "thickness_spread_nm = 5\nlayers = [ { index = 1.5, thickness_nm = 300 } ]\n";
     for (const std::string nodes : {"nodes = 64", "nodes = [64, 64, 64, 64]", "nodes = [32, 64, 128, 128]"}) {
-        Plan plan = plan_of(folder, rough + nodes + "\nrealisations = 16\n");
+        Plan plan = plan_of(folder, rough + "[accuracy.sampling]\n" + nodes + "\nthickness_samples = 16\n");
         PlannedLut& lut = plan.luts[0];
-        ASSERT_TRUE(lut.wish.nodes.has_value());
-        EXPECT_EQ(lut.wish.realisations, 16);
-        lut.job.sampling =
-            choose_sampling(lut.job, {1e-3, 0.1}, {*lut.wish.nodes, *lut.wish.realisations, {}}).sampling;
+        ASSERT_GT(lut.wish.sampling.nodes.front(), 0);
+        EXPECT_EQ(lut.wish.sampling.thickness_samples, 16);
+        lut.job.sampling = choose_sampling(lut.job, {1e-3, 0.1}, lut.wish.sampling).sampling;
         const std::string header = scene_toml(lut, plan.colour);
         const Plan again = plan_of(folder, header);
-        EXPECT_EQ(again.luts[0].wish.nodes, lut.wish.nodes) << header;
-        EXPECT_EQ(again.luts[0].wish.realisations, 16) << header;
+        EXPECT_EQ(again.luts[0].wish.sampling.nodes, lut.wish.sampling.nodes) << header;
+        EXPECT_EQ(again.luts[0].wish.sampling.thickness_samples, 16) << header;
+        EXPECT_TRUE(again.warnings.empty()) << again.warnings.front();
     }
-    const Plan sampled = plan_of(folder, rough + "wavelengths = 81\n");
+    const Plan sampled = plan_of(folder, rough + "[accuracy]\nwavelengths = 81\n");
     EXPECT_NE(scene_toml(sampled.luts[0], sampled.colour).find("\nwavelengths = 81\n"), std::string::npos);
 }
 
@@ -467,16 +501,23 @@ const std::vector<Mistake> mistakes{
     {"TwoNodes", std::string(good_film) + "[accuracy]\nnodes = [16, 32]\n",
      "s.toml:6:9 [accuracy]: nodes has 2 numbers; give one, or 4: for angles up to 72.5, 87.1, 89.8 and 90 "
      "degrees"},
-    {"FewNodes", std::string(good_film) + "[accuracy]\nnodes = 4\n",
-     "s.toml:6:9 [accuracy]: nodes = 4 is out of range; allowed [8, 131072]"},
-    {"NodesThatAreNotWhole", std::string(good_film) + "[accuracy]\nnodes = [16, 16, 2.5, 16]\n",
-     "s.toml:6:18 [accuracy]: nodes = 2.5 is a number; give a whole number"},
-    {"NodesAndWavelengths", std::string(good_film) + "[accuracy]\nnodes = 16\nwavelengths = 50\n",
-     "s.toml:6:9 [accuracy]: nodes and wavelengths both say where spectra are sampled; leave one of them out"},
-    {"OddRealisations", std::string(good_film) + "[accuracy]\nrealisations = 31\n",
-     "s.toml:6:16 [accuracy]: realisations come in pairs; give an even number"},
-    {"OneRealisation", std::string(good_film) + "[accuracy]\nrealisations = 1\n",
-     "s.toml:6:16 [accuracy]: realisations = 1 is out of range; allowed [2, 16384]"},
+    {"FewNodes", std::string(good_film) + "[accuracy.sampling]\nnodes = 4\n",
+     "s.toml:6:9 [accuracy.sampling]: nodes = 4 is out of range; allowed [8, 131072]"},
+    {"NodesThatAreNotWhole", std::string(good_film) + "[accuracy.sampling]\nnodes = [16, 16, 2.5, 16]\n",
+     "s.toml:6:18 [accuracy.sampling]: nodes = 2.5 is a number; give a whole number"},
+    {"NodesAndWavelengths", std::string(good_film) + "[accuracy]\nwavelengths = 50\n[accuracy.sampling]\nnodes = 16\n",
+     "s.toml:8:9 [accuracy.sampling]: nodes and wavelengths both say where spectra are sampled; leave one of them out"},
+    {"OddThicknessSamples", std::string(good_film) + "[accuracy.sampling]\nthickness_samples = 31\n",
+     "s.toml:6:21 [accuracy.sampling]: thickness_samples = 31 is not a multiple of 2; give 2, 4, 6 ..."},
+    {"OneThicknessSample", std::string(good_film) + "[accuracy.sampling]\nthickness_samples = 1\n",
+     "s.toml:6:21 [accuracy.sampling]: thickness_samples = 1 is out of range; allowed [2, 16384]"},
+    {"SlicesThatAreNoFours", std::string(good_film) + "[accuracy.sampling]\nslices = 6\n",
+     "s.toml:6:10 [accuracy.sampling]: slices = 6 is not a multiple of 4; give 4, 8, 12 ..."},
+    {"CountsInBothTables",
+     std::string(good_film) + "[accuracy]\nrealisations = 8\n[accuracy.sampling]\n"
+                              "thickness_samples = 8\n",
+     "s.toml:6:16 [accuracy]: realisations is also given as thickness_samples in [accuracy.sampling]; leave out one of "
+     "them"},
     {"LongCauchy", film_with("{ cauchy = [1.5, 1, 1, 1, 1, 1, 1] }"),
      "s.toml:3:20 [material.f]: cauchy has 7 terms; allowed are 6 at most"},
     {"OddSellmeier", film_with("{ sellmeier = [1.5, 1, 3] }"),

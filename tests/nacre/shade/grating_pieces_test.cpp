@@ -95,10 +95,9 @@ TEST(GratingPieces, ShowLinesOfAnyWidth) {
             reference::Uniform random(seed);
             const Grating grating = random_grating(random);
             const GratingColour exact(grating, light), coarse(grating, light, pieces);
-            constexpr Xyz d65 = xyz_from_chromaticity(d65_chromaticity);
             const double u = random.between(0.09, 1.0);
             const auto lab = [&](const GratingColour& colour) {
-                return to_lab(adapt(light.adaptation, colour.at(u)), d65);
+                return to_lab(adapt(light.adaptation, colour.at(u)), d65_white);
             };
             differences.push_back(ciede2000(lab(exact), lab(coarse)));
         }

@@ -64,10 +64,9 @@ Stack mirror(int pairs) {
 
 // CIEDE2000 of colours under the job's light, the brighter of two at Y = 1.
 double difference(const Job& job, const Xyz& one, const Xyz& other, double brightest) {
-    constexpr Xyz d65 = xyz_from_chromaticity(d65_chromaticity);
     const auto lab = [&](const Xyz& colour) {
         const Xyz adapted = adapt(job.light->adaptation, colour);
-        return to_lab({adapted.x / brightest, adapted.y / brightest, adapted.z / brightest}, d65);
+        return to_lab({adapted.x / brightest, adapted.y / brightest, adapted.z / brightest}, d65_white);
     };
     return ciede2000(lab(one), lab(other));
 }
@@ -112,21 +111,21 @@ TEST(SpectralSampling, MoreFringesTakeMoreNodes) {
     int last = 0;
     for (const double thickness_nm : {100.0, 1000.0, 5000.0}) {
         const Job job = job_of(film_of(thickness_nm));
-        const NodeCounts counts = default_sampling(job).node_counts();
+        const NodeCounts counts = default_sampling(job).counts().nodes;
         EXPECT_GT(counts[0], last) << thickness_nm;
         EXPECT_GE(counts[0], 2.0 * fringe_count(film_of(thickness_nm), job.light->settings)) << thickness_nm;
         EXPECT_GE(counts[1], counts[0]) << "towards grazing fringes are sharper";
         EXPECT_GE(counts[2], counts[1]);
         last = counts[0];
     }
-    EXPECT_LE(default_sampling(job_of(film_of(100.0))).node_counts()[0], 32) << "half a fringe is a smooth spectrum";
+    EXPECT_LE(default_sampling(job_of(film_of(100.0))).counts().nodes[0], 32) << "half a fringe is a smooth spectrum";
 }
 
 TEST(SpectralSampling, ATighterBoundTakesMoreNodes) {
     const Job job = job_of(film_of(1000.0, 1.8));
     const ChosenSampling loose = choose_sampling(job, tolerance_of(0.1));
     const ChosenSampling tight = choose_sampling(job, tolerance_of(1e-6));
-    EXPECT_LT(loose.sampling.node_counts()[0], tight.sampling.node_counts()[0]);
+    EXPECT_LT(loose.sampling.counts().nodes[0], tight.sampling.counts().nodes[0]);
     EXPECT_LE(tight.error, 3.0 * 1e-6) << "a band at grazing may err by three tolerances";
     EXPECT_LE(loose.error, 10.0 * 0.1);
     EXPECT_GT(loose.work.spectra, 0);
@@ -146,8 +145,8 @@ TEST(ThickLayers, AWindowHasNoFringesThatAnEyeSees) {
     for (const double thickness_nm : {1e5, 1e6}) {
         const Job job = job_of(film_of(thickness_nm));
         const SpectralSampling sampling = default_sampling(job);
-        EXPECT_EQ(sampling.blurred, std::vector<std::size_t>{0}) << thickness_nm;
-        EXPECT_LE(sampling.node_counts()[0], 64) << "what is left of the spectrum is smooth";
+        EXPECT_EQ(sampling.incoherent_layers, std::vector<std::size_t>{0}) << thickness_nm;
+        EXPECT_LE(sampling.counts().nodes[0], 64) << "what is left of the spectrum is smooth";
         LayeredColour colour(job.material.mechanism, sampling);
         const Xyz white = job.light->white();
         for (const double theta_deg : {0.0, 45.0, 70.0, 85.0}) {
@@ -223,7 +222,7 @@ TEST(SpectralSampling, AScenesOwnWavelengthsWin) {
         const Job job = job_of(film_of(5000.0), light_of("D65", wavelengths));
         const ChosenSampling chosen = choose_sampling(job, tolerance_of(1e-3));
         const NodeCounts all{wavelengths, wavelengths, wavelengths, wavelengths};
-        EXPECT_EQ(chosen.sampling.node_counts(), all);
+        EXPECT_EQ(chosen.sampling.counts().nodes, all);
         const SpectralNodes& nodes = *chosen.sampling.nodes[0];
         EXPECT_EQ(nodes.wavelength_nm.front(), 360.0);
         EXPECT_EQ(nodes.wavelength_nm.back(), 830.0);
@@ -235,7 +234,7 @@ TEST(SpectralSampling, AScenesOwnWavelengthsWin) {
 TEST(SpectralSampling, AScenesOwnWavelengthsSampleEveryFringeAsItIs) {
     // Who counts out wavelengths wants the spectrum at these, as `nacre spectrum` prints it.
     const Job job = job_of(film_of(1e5), light_of("D65", 471));
-    EXPECT_TRUE(default_sampling(job).blurred.empty());
+    EXPECT_TRUE(default_sampling(job).incoherent_layers.empty());
     LayeredColour colour(job.material.mechanism, default_sampling(job));
     const Incidence normal = Incidence::from_degrees(0.0);
     std::vector<double> wavelengths_nm;
@@ -248,32 +247,32 @@ TEST(SpectralSampling, AScenesOwnWavelengthsSampleEveryFringeAsItIs) {
 
 TEST(SpectralSampling, NodesThatAreWishedForAreTakenAndTheirErrorIsTold) {
     const Job job = job_of(film_of(1000.0, 1.8));
-    SamplingWish few;
+    SamplingCounts few;
     few.nodes = {8, 8, 12, 16};
     const ChosenSampling coarse = choose_sampling(job, tolerance_of(1e-3), few);
-    EXPECT_EQ(coarse.sampling.node_counts(), few.nodes);
+    EXPECT_EQ(coarse.sampling.counts().nodes, few.nodes);
     EXPECT_GT(coarse.error, 0.1);
-    SamplingWish many;
+    SamplingCounts many;
     many.nodes = {96, 192, 1024, 16384};
     const ChosenSampling fine = choose_sampling(job, tolerance_of(1e-3), many);
-    EXPECT_EQ(fine.sampling.node_counts(), many.nodes);
+    EXPECT_EQ(fine.sampling.counts().nodes, many.nodes);
     EXPECT_LT(fine.error, 1e-2);
 }
 
 TEST(SpectralSampling, AnIrregularStackIsAMeanOverRealisations) {
     Stack rough = mirror(4);
     EXPECT_FALSE(is_irregular(rough));
-    EXPECT_EQ(default_sampling(job_of(rough)).realisations, 1);
+    EXPECT_EQ(default_sampling(job_of(rough)).thickness_samples, 1);
     rough.thickness_spread_nm = 8.0;
     EXPECT_TRUE(is_irregular(rough));
     const ChosenSampling chosen = choose_sampling(job_of(rough), tolerance_of(1e-3));
-    EXPECT_GE(chosen.sampling.realisations, 16);
+    EXPECT_GE(chosen.sampling.thickness_samples, 16);
     EXPECT_LE(chosen.spread_error, 0.2);  // as far as a search goes, if not 0.1
-    EXPECT_EQ(chosen.sampling.realisations % 2, 0);
-    SamplingWish wish;
-    wish.realisations = 6;
+    EXPECT_EQ(chosen.sampling.thickness_samples % 2, 0);
+    SamplingCounts wish;
+    wish.thickness_samples = 6;
     const ChosenSampling wished = choose_sampling(job_of(rough), tolerance_of(1e-3), wish);
-    EXPECT_EQ(wished.sampling.realisations, 6);
+    EXPECT_EQ(wished.sampling.thickness_samples, 6);
     EXPECT_GT(wished.spread_error, 0.0);
 }
 

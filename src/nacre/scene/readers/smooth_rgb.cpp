@@ -32,9 +32,8 @@ public:
     SigmoidColours() {
         const TristimulusWeights weights = make_tristimulus_weights(Observer::cie1931_2deg, *illuminant_by_name("D65"));
         const GridWeights per_nm = make_grid_weights(weights, WavelengthGrid{});
-        const Xyz d65 = xyz_from_chromaticity(d65_chromaticity);
         const glm::dmat3 to_rgb = xyz_to_rgb_matrix(*primaries_by_interop_id("lin_rec709_scene"));
-        const glm::dmat3 seen = to_rgb * adaptation_matrix(Adaptation::bradford, per_nm.white, d65);
+        const glm::dmat3 seen = to_rgb * adaptation_matrix(Adaptation::bradford, per_nm.white, d65_white);
         for (std::size_t i = 0; i < per_nm.x.size(); ++i)
             weight_.push_back(seen * glm::dvec3(per_nm.x[i], per_nm.y[i], per_nm.z[i]));
         to_xyz_ = glm::inverse(to_rgb);
@@ -59,7 +58,7 @@ public:
 
     Lab lab(const glm::dvec3& rgb) const {
         const glm::dvec3 xyz = to_xyz_ * rgb;
-        return to_lab({xyz.x, xyz.y, xyz.z}, xyz_from_chromaticity(d65_chromaticity));
+        return to_lab({xyz.x, xyz.y, xyz.z}, d65_white);
     }
 
     double luminance(const glm::dvec3& rgb) const { return (to_xyz_ * rgb).y; }

@@ -53,8 +53,7 @@ Xyz colour_of(const Light& light, double peak_nm, double width_nm, double height
 }
 
 double difference(const Xyz& one, const Xyz& other) {
-    const Xyz white = xyz_from_chromaticity(d65_chromaticity);
-    return ciede2000(to_lab(one, white), to_lab(other, white));
+    return ciede2000(to_lab(one, d65_white), to_lab(other, d65_white));
 }
 
 // IEC 61966-2-1.
@@ -133,7 +132,7 @@ public:
     }
 
 private:
-    Xyz white_ = xyz_from_chromaticity(d65_chromaticity);
+    Xyz white_ = d65_white;
     std::vector<Xyz> colours_;
     std::array<std::vector<float>, 3> roots_;
     std::vector<float> factors_;
@@ -144,11 +143,10 @@ private:
 // single precision does not tell from the target.
 double if_rounded(const Xyz& colour, const LobeMatch& match) {
     const auto rounded = [](double value, double step) { return std::round(value / step) * step; };
-    const Xyz white = xyz_from_chromaticity(d65_chromaticity);
-    const Lab target = to_lab(colour, white);
-    const Lab exact = to_lab(colour_of(daylight(), match.peak_nm, match.width_nm, match.height), white);
+    const Lab target = to_lab(colour, d65_white);
+    const Lab exact = to_lab(colour_of(daylight(), match.peak_nm, match.width_nm, match.height), d65_white);
     const Lab printed = to_lab(
-        colour_of(daylight(), rounded(match.peak_nm, 0.001), rounded(match.width_nm, 0.001), match.height), white);
+        colour_of(daylight(), rounded(match.peak_nm, 0.001), rounded(match.width_nm, 0.001), match.height), d65_white);
     double worst = 0.0;
     for (const double step : {-1e-3, 1e-3}) {
         for (const Lab& lab : {exact, printed}) {
@@ -203,7 +201,7 @@ TEST(LobeFinder, IsNotLedAstray) {
                            {66.11, 38.83, 5.63},
                            {52.521174993, 33.184541041, 9.905457885},
                            {25.443253643, 13.896779266, -16.090696142}}) {
-        const Xyz colour = from_lab(lab, xyz_from_chromaticity(d65_chromaticity));
+        const Xyz colour = from_lab(lab, d65_white);
         const LobeMatch match = finder().find(colour);
         EXPECT_NEAR(difference(colour, colour_of(daylight(), match.peak_nm, match.width_nm, match.height)), match.de00,
                     1e-3);
@@ -221,13 +219,12 @@ TEST(LobeFinder, HasTwoFifthsOfSrgb) {
 }
 
 TEST(LobeFinder, HasAnAnswerForWhatIsNoSurfacesColour) {
-    const Xyz white = xyz_from_chromaticity(d65_chromaticity);
     const LobeMatch black = finder().find({});
     EXPECT_EQ(black.height, 0.0);
     EXPECT_EQ(black.de00, 0.0);
     EXPECT_EQ(black.miss, LobeMiss::none);
     // The widest lobe there is falls towards both ends: next to white, never white.
-    const LobeMatch brightest = finder().find(white);
+    const LobeMatch brightest = finder().find(d65_white);
     EXPECT_NE(brightest.miss, LobeMiss::none);
     EXPECT_LT(brightest.de00, 15.0);
     EXPECT_GT(brightest.width_nm, 800.0);

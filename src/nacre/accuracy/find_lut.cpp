@@ -1,0 +1,203 @@
+// The search for a LUT's size and format.
+//
+// In: a survey (sampling, brightness, limit of error, limit of effort). In this order:
+//   1. Candidates are listed by bytes. In 2D, one side is tried alone along slices through the LUT first: no candidate
+//      needs to be narrower than the narrowest that fits along a slice, which rules out most of them.
+//   2. Each is baked and scanned, the cheapest first, until one errs by no more than the limit. Where one failed is
+//      where the next is scanned first, so that those too small fail at once.
+//   3. If none fits, or the effort is spent, the largest are tried in turn for the least error, and of those that are
+//      equally good the smallest is taken.
+// The effort is counted, not timed, so that every machine finds the same LUT; what the survey took counts too.
+#include "nacre/accuracy/find_lut.h"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <utility>
+
+#include "nacre/lut/formats.h"
+#include "nacre/lut/planned_lut.h"
+
+namespace nacre {
+namespace {
+
+constexpr double unlimited = std::numeric_limits<double>::infinity();
+
+// Coordinates at which slices are laid through a 2D LUT (empirical).
+constexpr std::array slice_coordinates{0.0, 0.25, 0.5, 0.75, 1.0};
+
+// Points that are kept of failed candidates (empirical: older ones rule out nothing that newer ones do not).
+constexpr std::size_t most_failures = 96;
+
+// Texels of LUTs that are tried when the effort is spent: so few that the search ends soon (empirical).
+constexpr std::int64_t fewest_when_spent = 1 << 11;
+constexpr std::int64_t most_when_spent = 1 << 13;
+// A larger one takes seconds, which is too long for a LUT that does not keep its bound.
+constexpr std::int64_t most_for_the_best = 1 << 20;
+// An error that is so little larger than another is as good.
+constexpr double as_good = 1.05;
+
+bool is_spent(const LutSearch& search, const Work& work) {
+    return search.survey.effort.is_spent(work);
+}
+
+Trial trial_of(const LutSearch& search, Job job, const Candidate& candidate, double scale, const ModelCurve* curve) {
+    job.width = candidate.width;
+    job.height = candidate.height;
+    const bool model_samples = search.survey.spectrum_error == SpectrumError::not_judged;
+    return Trial(job, candidate.format, search.encoding, model_samples, scale, search.survey.scale, search.after_step,
+                 curve);
+}
+
+// The job along a line through a 2D LUT. @param at  the other coordinate
+Job slice_of(const Job& job, bool is_along_x, double at) {
+    const double x = is_along_x ? 0.0 : at;
+    const double y = is_along_x ? at : 0.0;
+    Job slice = job;
+    slice.material.mechanism = mechanism_at(job, x, y);
+    slice.fixed = geometry_at(job, x, y);
+    if (!is_along_x) slice.x = *job.y;
+    slice.y.reset();
+    return slice;
+}
+
+// The least width that fits a slice, from `smallest` on.
+int smallest_width(const LutSearch& search, const Job& slice, int smallest, Work& work) {
+    std::vector<LutPoint> failed;
+    for (int size = smallest; size < largest_lut_size && !is_spent(search, work); size *= 2) {
+        const Candidate candidate{size, 1, PixelFormat::single_float};
+        Trial trial = trial_of(search, slice, candidate, search.survey.scale, nullptr);
+        const Scan scan = scan_errors(trial, scan_limit(search.survey), failed);
+        work += trial.work();
+        if (scan.is_complete) return size;
+        failed.insert(failed.begin(), scan.at);
+    }
+    return largest_lut_size;
+}
+
+// The least size of one side that fits along slices through a 2D LUT: what the other side cannot help.
+int smallest_side(const LutSearch& search, bool is_along_x, Work& work) {
+    int smallest = 2;
+    for (const double at : slice_coordinates)
+        smallest = smallest_width(search, slice_of(search.survey.lut.job, is_along_x, at), smallest, work);
+    return smallest;
+}
+
+struct CandidateList {
+    std::vector<Candidate> candidates;  // by bytes
+    bool may_fit = true;                // false: they are only tried for the best there is
+};
+
+CandidateList list_candidates(const LutSearch& search, Work& work) {
+    const AccuracyWish& wish = search.survey.lut.wish;
+    const bool is_2d = search.survey.is_2d();
+    const int narrowest = is_2d && !wish.width ? smallest_side(search, true, work) : 2;
+    const int lowest = is_2d && !wish.height ? smallest_side(search, false, work) : 2;
+    if (is_spent(search, work)) return {candidates_from(wish, is_2d, 2, 2, fewest_when_spent, most_when_spent), false};
+    const std::int64_t most = search.survey.effort.most_texels();
+    std::vector<Candidate> candidates = candidates_from(wish, is_2d, narrowest, lowest, 0, most);
+    if (!candidates.empty()) return {std::move(candidates), true};
+    // Not even the least is little enough: one of the large ones, whatever its shape, is the best there is.
+    return {candidates_from(wish, is_2d, 2, 2, most / 4, most), false};
+}
+
+// Where candidates failed, the last first.
+void remember(std::vector<LutPoint>& failures, LutPoint point) {
+    failures.insert(failures.begin(), point);
+    if (failures.size() > most_failures) failures.pop_back();
+}
+
+// Step 2. @param failures  where candidates failed is added
+std::optional<FoundLut> find_smallest(const LutSearch& search, const std::vector<Candidate>& candidates,
+                                      std::vector<LutPoint>& failures, Work& work) {
+    const LutSurvey& survey = search.survey;
+    const bool is_judged = survey.lut.wish.has_bound || candidates.size() > 1;
+    const double limit = scan_limit(survey);
+    const bool has_means = survey.known.spread > 0.0 || survey.known.quadrature > 0.0;
+    for (const Candidate& candidate : candidates) {
+        if (is_spent(search, work)) return std::nullopt;
+        Trial trial = try_candidate(search, candidate);
+        Scan scan = scan_errors(trial, is_judged ? limit : unlimited, failures);
+        work += trial.work();
+        if (!scan.is_complete) {
+            remember(failures, scan.at);
+            continue;
+        }
+        // A mean may be too rough for any LUT.
+        const bool is_reached =
+            scan.largest <= limit && (!has_means || judged_error(survey, scan.largest) <= survey.lut.wish.max_de00);
+        return FoundLut{candidate, std::move(scan), trial.storage_error(), is_reached};
+    }
+    return std::nullopt;
+}
+
+// The largest first; where there is no time for all, long and narrow ones are the first to go without. On the default
+// axis a LUT is best about twice as wide as it is high (empirical).
+std::vector<Candidate> best_first(const std::vector<Candidate>& candidates, bool is_2d, bool is_spent) {
+    std::vector<Candidate> ordered(candidates.rbegin(), candidates.rend());
+    if (!is_spent || !is_2d) return ordered;
+    const auto narrowness = [](const Candidate& candidate) {
+        return std::abs(std::log2(candidate.width) - std::log2(candidate.height) - 1.0);
+    };
+    std::stable_sort(ordered.begin(), ordered.end(), [&](const Candidate& left, const Candidate& right) {
+        return narrowness(left) < narrowness(right);
+    });
+    return ordered;
+}
+
+// Step 3: the least error there is; of sizes that are equally good the smallest.
+FoundLut find_best(const LutSearch& search, const std::vector<Candidate>& candidates, std::vector<LutPoint> failures,
+                   Work& work) {
+    const LutSurvey& survey = search.survey;
+    const auto is_quick = [&](const Candidate& candidate) {
+        return candidate.texels() <= (is_spent(search, work) ? most_when_spent : most_for_the_best);
+    };
+    const bool any_is_quick = std::any_of(candidates.begin(), candidates.end(), is_quick);
+    std::optional<FoundLut> best;
+    double least = unlimited;
+    for (const Candidate& candidate : best_first(candidates, survey.is_2d(), is_spent(search, work))) {
+        if (any_is_quick && !is_quick(candidate)) continue;
+        const bool is_of_same_size =
+            best && best->candidate.width == candidate.width && best->candidate.height == candidate.height;
+        if (best && survey.effort.is_far_beyond(work) && !is_of_same_size) break;
+        Trial trial = try_candidate(search, candidate);
+        const auto first = best ? std::span<const LutPoint>(failures) : std::span<const LutPoint>{};
+        Scan scan = scan_errors(trial, as_good * least, first);
+        work += trial.work();
+        if (!scan.is_complete) {
+            remember(failures, scan.at);
+            continue;
+        }
+        least = std::min(least, scan.largest);
+        best = FoundLut{candidate, std::move(scan), trial.storage_error(), false};
+    }
+    assert(best);  // the first is scanned without a limit
+    return std::move(*best);
+}
+
+}  // namespace
+
+Trial try_candidate(const LutSearch& search, const Candidate& candidate) {
+    const LutSurvey& survey = search.survey;
+    return trial_of(search, survey.lut.job, candidate, 0.0, survey.curve ? &*survey.curve : nullptr);
+}
+
+FoundLut find_lut(const LutSearch& search, Work& work) {
+    const LutSurvey& survey = search.survey;
+    const CandidateList list = list_candidates(search, work);
+    std::vector<LutPoint> failures;
+    if (list.may_fit) {
+        if (std::optional<FoundLut> smallest = find_smallest(search, list.candidates, failures, work))
+            return std::move(*smallest);
+    }
+    FoundLut best = find_best(search, list.candidates, std::move(failures), work);
+    // What is left for texels may be so little that no candidate was taken as good, and the sum still fits.
+    best.is_reached = judged_error(survey, best.scan.largest) <= scannable_bound(survey);
+    return best;
+}
+
+}  // namespace nacre

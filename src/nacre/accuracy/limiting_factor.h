@@ -1,0 +1,19 @@
+#pragma once
+
+#include <string>
+
+#include "nacre/accuracy/settle.h"
+
+namespace nacre {
+
+/// What a search came to know about why a bound cannot be kept.
+struct SearchEnd {
+    double lost_by_space = 0.0;    ///< CIEDE2000 that colours lose on their way into the colour space and back
+    bool is_effort_spent = false;  ///< whether it ended because it took too long
+    int most_texels = 0;           ///< that it would have tried
+};
+
+/// What stands in the way of a bound, and what would help: "half costs 0.07: use float".
+std::string limiting_factor(const SettledLut& settled, const SearchEnd& end);
+
+}  // namespace nacre

@@ -1,0 +1,136 @@
+// What has to be known of a LUT before sizes are tried.
+//
+// In: a planned LUT, whose bound is split between the parts of its error. In this order:
+//   1. The sampling of spectra and sums, and the effects (choose_sampling.cpp), each within its share of the bound.
+//   2. A small bake, which says how bright the LUT is shown: colour differences depend on it.
+//   3. If the scene insists on `wavelengths`, the same bake by the true integral: the difference is the spectrum's
+//   error.
+//   4. In 1D, a curve of the colours, if they are expensive: a search asks for thousands of them. If the curve itself
+//      would take too long there is none, and colours are computed one by one.
+//
+// The shares leave most of the bound to texels, whose number grows with what is lost: halving a share costs a few more
+// nodes, while halving the rest costs 1.4 times the texels. They are empirical, and hold for the 200 and 300 random
+// scenes of tests/cli/layered_accuracy_test.cpp and effects_accuracy_test.cpp.
+#include "nacre/accuracy/survey.h"
+
+#include <algorithm>
+#include <cstdint>
+
+#include "nacre/accuracy/choose_sampling.h"
+#include "nacre/accuracy/mechanism_traits.h"
+#include "nacre/accuracy/trial.h"
+
+namespace nacre {
+namespace {
+
+// What is left of the bound once a scan's own error is taken off: scan_errors() may miss so much of the largest error
+// (empirical; tests/nacre/accuracy/scan_test.cpp compares it with plain dense scans).
+constexpr double scannable_share_in_1d = 0.995;
+constexpr double scannable_share_in_2d = 0.98;
+
+// Nodes err by less with every one more, and need little; the mean of uneven thicknesses converges slowly.
+constexpr double share_of_nodes = 0.08;
+constexpr double share_of_spread = 0.3;
+// Each of the other sums: directions below a base, radii, slices.
+constexpr double share_of_quadrature = 0.04;
+// The curve stands for the texels and for what they are compared with; either may be off by this.
+constexpr double share_of_curve = 0.005;
+
+// Of the bound, up to which sums and means make a LUT larger.
+constexpr double most_share_of_quadrature = 0.25;
+constexpr double most_share_of_spread = 0.5;
+
+SpectrumError spectrum_error_of(const PlannedLut& lut) {
+    if (lut.job.light->settings.wavelengths)
+        return lut.wish.has_bound ? SpectrumError::in_scan : SpectrumError::not_judged;
+    return traits_of(lut.job.material.mechanism).is_closed_form ? SpectrumError::in_scan : SpectrumError::beside_scan;
+}
+
+// Step 1.
+void choose_sampling_of(LutSurvey& survey, bool can_judge, const AfterRow& after_step, Work& work) {
+    const AccuracyWish& wish = survey.lut.wish;
+    Job& job = survey.lut.job;
+    job.without = wish.without;
+    const double bound = wish.max_de00;
+    const bool may_drop = wish.may_drop_effects && wish.has_bound && can_judge;
+    const SamplingTolerance tolerance{share_of_nodes * bound, share_of_spread * bound, share_of_quadrature * bound,
+                                      may_drop ? share_of_effects * bound : 0.0};
+    ChosenSampling chosen = choose_sampling(job, tolerance, wish.sampling, after_step);
+    job.sampling = std::move(chosen.sampling);
+    job.without = chosen.without;
+    survey.effects = std::move(chosen.effects);
+    survey.known.spectrum = chosen.error;
+    survey.known.spread = chosen.spread_error;
+    survey.known.quadrature = chosen.quadrature_error;
+    survey.known.effects = chosen.effects_error;
+    work += chosen.work;
+}
+
+// What the scene's wavelengths err by. @param seen  the colours of `sample`
+double error_of_wavelengths(const Image<Xyz>& truth, const Image<Xyz>& seen, double scale) {
+    double largest = 0.0;
+    for (std::size_t i = 0; i < truth.size(); ++i)
+        largest = std::max(largest, difference_at(truth.data()[i], seen.data()[i], scale));
+    return largest;
+}
+
+// A palette is cheap, unless it has facets.
+bool is_expensive(const Job& job) {
+    const bool has_facets = !job.without.has(Effect::tilt) && effects_in(job).has(Effect::tilt);
+    return has_facets || !traits_of(job.material.mechanism).is_closed_form;
+}
+
+}  // namespace
+
+LutSurvey survey_lut(const PlannedLut& lut, bool can_judge, const AfterRow& after_step, Work& work) {
+    LutSurvey survey;
+    survey.lut = lut;
+    choose_sampling_of(survey, can_judge, after_step, work);
+    if (!can_judge) return survey;
+    const Job& job = survey.lut.job;
+    const double bound = lut.wish.max_de00;
+    survey.spectrum_error = spectrum_error_of(survey.lut);
+    survey.effort = Effort(job);
+    Job sample = job;
+    sample.width = survey_columns;
+    sample.height = survey.is_2d() ? survey_rows : 1;
+    const Image<Xyz> colours = bake(sample, {}, &work);
+    survey.scale = display_scale(colours);
+    if (job.light->settings.wavelengths) {
+        const SamplingTolerance tolerance{share_of_nodes * bound, 0.0, share_of_quadrature * bound, 0.0};
+        const Image<Xyz> truth = bake(integrated_job(sample, tolerance), {}, &work);
+        survey.scale = display_scale(truth);
+        survey.known.spectrum = std::max(survey.known.spectrum, error_of_wavelengths(truth, colours, survey.scale));
+    } else if (!survey.is_2d() && is_expensive(job)) {
+        survey.curve = ModelCurve::within(survey.effort.most_curve_colours(), job, share_of_curve * bound, survey.scale,
+                                          after_step);
+        if (survey.curve) work += survey.curve->work();
+    }
+    return survey;
+}
+
+double scannable_bound(const LutSurvey& survey) {
+    return (survey.is_2d() ? scannable_share_in_2d : scannable_share_in_1d) * survey.lut.wish.max_de00;
+}
+
+double scan_limit(const LutSurvey& survey) {
+    const double bound = scannable_bound(survey);
+    const ErrorSplit& known = survey.known;
+    const double of_curve = survey.curve ? 2.0 * share_of_curve * survey.lut.wish.max_de00 : 0.0;
+    const double rest = bound - of_curve - known.effects - std::min(known.quadrature, most_share_of_quadrature * bound);
+    if (survey.spectrum_error != SpectrumError::beside_scan) return rest;
+    return rest - known.spectrum - std::min(known.spread, most_share_of_spread * bound);
+}
+
+double total_error(const LutSurvey& survey, double scanned) {
+    const ErrorSplit& known = survey.known;
+    const double of_spectrum = survey.spectrum_error == SpectrumError::in_scan ? 0.0 : known.spectrum;
+    return scanned + of_spectrum + known.spread + known.quadrature + known.effects;
+}
+
+double judged_error(const LutSurvey& survey, double scanned) {
+    const bool is_judged = survey.spectrum_error != SpectrumError::not_judged;
+    return total_error(survey, scanned) - (is_judged ? 0.0 : survey.known.spectrum);
+}
+
+}  // namespace nacre

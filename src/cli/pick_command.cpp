@@ -35,6 +35,21 @@ constexpr const char* scene_name = "picks";
 // More than any search returns, and than a palette of measured spectra can use.
 constexpr double most_counted = 100;
 
+// Nobody wrote that scene: its places mean nothing.
+std::string without_places(const std::string& message) {
+    std::string result;
+    for (std::size_t begin = 0; begin <= message.size();) {
+        const std::size_t end = std::min(message.find('\n', begin), message.size());
+        std::string line = message.substr(begin, end - begin);
+        const std::size_t place =
+            line.rfind(std::string(scene_name) + ":", 0) == 0 ? line.find(": ") : std::string::npos;
+        if (place != std::string::npos) line.erase(0, place + 2);
+        result += (begin == 0 ? "" : "\n") + line;
+        begin = end + 1;
+    }
+    return result;
+}
+
 Plan plan_of(const std::string& scene, const PickOptions& options, Console& console) {
     SceneRequest request = scene_request(options.ocio, console);
     request.all_materials = true;
@@ -44,11 +59,7 @@ Plan plan_of(const std::string& scene, const PickOptions& options, Console& cons
     } catch (const IoError&) {
         throw;
     } catch (const Error& error) {
-        // Nobody wrote that scene: its lines mean nothing.
-        const std::string message = error.what();
-        const std::size_t end =
-            message.rfind(std::string(scene_name) + ":", 0) == 0 ? message.find(": ") : std::string::npos;
-        throw Error(end == std::string::npos ? message : message.substr(end + 2));
+        throw Error(without_places(error.what()));
     }
 }
 

@@ -296,7 +296,7 @@ INSTANTIATE_TEST_SUITE_P(
         Degenerate{"Equal", {"#2c6@0", "#2c6@50"}, 0, "", 0, film_misses},
         Degenerate{"TwoAtOneAngle", {"#2c6@10", "#c62@10"}, 2, "different colours at one angle", 0, film_misses},
         Degenerate{"TheSameTwice", {"#2c6@10", "#2c6@10"}, 0, "", 0, film_misses},
-        Degenerate{"One", {"#38c@0"}, 0, "one pick says nothing about other angles", 0, film_misses},
+        Degenerate{"One", {"#38c@0"}, 0, "one pick gives the same colour at every angle", 0, film_misses},
         Degenerate{"Grazing", {"#2c6@0", "#b94@90"}, 0, "", 0, "at 90 degrees every surface reflects all light"},
         Degenerate{"NegativeAndBright", {"-0.1,0.5,2@0", "0.2,0.3,0.1@50"}, 0, no_band, 0, film_misses},
         Degenerate{"AllNegative", {"-1,-1,-1@0", "#222@50"}, 0, no_band, 0, film_misses},

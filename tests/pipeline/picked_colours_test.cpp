@@ -163,7 +163,7 @@ TEST(OnePick, IsTheSameColourAtEveryAngleWithAWarning) {
     const Plan plan = plan_of(picks + "colour = \"#2c2\" } ]\n");
     ASSERT_EQ(plan.warnings.size(), 1u);
     EXPECT_EQ(plan.warnings[0],
-              "s.toml:1:11 [material.m]: one pick says nothing about other angles: the same colour at all of them");
+              "s.toml:1:11 [material.m]: one pick gives the same colour at every angle; add a pick at another angle");
     const Palette& palette = palette_of(plan);
     ASSERT_EQ(palette.picks.size(), 1u);
     for (const double angle_deg : {0.0, 45.0, 90.0})

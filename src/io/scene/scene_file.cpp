@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <sstream>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -16,10 +17,12 @@
 #include "io/scene/shipped_materials.h"
 #include "io/scene/spectra_csv.h"
 #include "io/scene/text_file.h"
+#include "io/scene/toml_hints.h"
 #include "nacre/base/error.h"
 #include "nacre/base/names.h"
 #include "nacre/base/text.h"
 #include "nacre/base/where.h"
+#include "nacre/scene/key_names.h"
 
 namespace nacre {
 namespace {
@@ -94,7 +97,8 @@ void merge(Table& into, const Table& from) {
     for (const Table::Entry& entry : from.entries()) {
         const Value* present = nullptr;
         for (const Table::Entry& candidate : into.entries()) {
-            if (candidate.key == entry.key) present = &candidate.value;
+            const bool is_top = into.path().empty();  // below it there are names that the user chose
+            if (is_top ? is_same_key(candidate.key, entry.key) : candidate.key == entry.key) present = &candidate.value;
         }
         const bool both_tables = present != nullptr && std::holds_alternative<std::shared_ptr<Table>>(present->data) &&
                                  std::holds_alternative<std::shared_ptr<Table>>(entry.value.data);
@@ -123,7 +127,22 @@ void check_dotted_keys(const std::string& text, const std::string& name) {
     }
 }
 
+std::string_view line_of(std::string_view text, int line) {
+    for (int i = 1; i < line; ++i) text.remove_prefix(std::min(text.find('\n'), text.size() - 1) + 1);
+    return text.substr(0, text.find('\n'));
+}
+
+// Where the parser stopped, and what to write instead, as far as that can be guessed.
+[[noreturn]] void fail_parse(const toml::parse_error& error, const std::string& text, const std::string& name) {
+    const Where where = where_of(error.source(), name);
+    const std::string_view line = line_of(text, where.line);
+    const std::string description(error.description());
+    const std::string hint = toml_hint(line, description);
+    throw Error(where.text() + ": " + (hint.empty() ? "not TOML: " + description : hint));
+}
+
 Table parse(const std::string& text, const std::string& name) {
+    if (is_utf16(text)) throw Error(name + ":1: the file is UTF-16; save it as UTF-8");
     check_dotted_keys(text, name);
     try {
         const toml::table source = toml::parse(text, name);
@@ -131,7 +150,7 @@ Table parse(const std::string& text, const std::string& name) {
         Converter(name).fill(table, source, 0);
         return table;
     } catch (const toml::parse_error& error) {
-        throw Error(where_of(error.source(), name).text() + ": not TOML: " + std::string(error.description()));
+        fail_parse(error, text, name);
     }
 }
 

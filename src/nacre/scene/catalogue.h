@@ -21,7 +21,7 @@ inline constexpr std::array adaptation_words{
     Word<Adaptation>{"cat16", Adaptation::cat16, "the illuminant's white becomes D65, CAT16 cones"},
     Word<Adaptation>{"none", Adaptation::none, "the illuminant's cast stays in the LUT"},
 };
-/// The meaning of a name, or an Error that offers the known ones:
+/// The meaning of a name, or a SceneError that offers the known ones:
 /// `... unknown observer "cie1932"; known: cie1931_2deg, cie1964_10deg`.
 template <typename Words>
 auto meaning_of(const Words& words, std::string_view what, std::string_view name, const Table& table,
@@ -33,12 +33,16 @@ auto meaning_of(const Words& words, std::string_view what, std::string_view name
                "unknown " + std::string(what) + " " + in_quotes(name) + "; known: " + comma_separated(names_of(words)));
 }
 
-/// The same for a key of a table; the list's first word if the key is missing.
+/// The same for a key of a table; the list's first word if the key is missing. Notes mistakes, and then gives the
+/// first word, too.
 template <typename Words>
 auto read_word(const Table& table, std::string_view key, std::string_view what, const Words& words) {
-    const Value* value = table.find(key);
-    if (value == nullptr) return words.front().meaning;
-    return meaning_of(words, what, table.checked_text(key, *value), table, value->where);
+    auto meaning = words.front().meaning;
+    if (const Value* value = table.find(key)) {
+        attempt(table, value->where,
+                [&] { meaning = meaning_of(words, what, table.checked_text(key, *value), table, value->where); });
+    }
+    return meaning;
 }
 
 }  // namespace nacre

@@ -9,16 +9,20 @@
 // 3. Check what only the whole plan can say: keys that nobody read, files that two outputs would write, and picks that
 //    were missed.
 //
-// Each step returns its part (plan_tables.h); nothing is changed after it was returned.
+// Each step returns its part (plan_tables.h); nothing is changed after it was returned. Mistakes are noted in the
+// scene's tables, reading goes on, and at the end throw_mistakes() reports them all. What a mistake leaves unknown is
+// not computed with: colours and searches wait for a scene without mistakes.
 #include "nacre/scene/plan.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <memory>
 #include <utility>
 
 #include "nacre/base/error.h"
 #include "nacre/lut/colour_settings.h"
 #include "nacre/lut/planned_lut.h"
+#include "nacre/scene/mistakes.h"
 #include "nacre/scene/output_names.h"
 #include "nacre/scene/plan_tables.h"
 #include "nacre/scene/readers/pick_reader.h"
@@ -27,7 +31,21 @@
 namespace nacre {
 namespace {
 
-constexpr Allowed allowed_version{1, 1};
+// `nacre = 1`. It becomes 2 when scenes of 1 would mean something else.
+constexpr int format_version = 1;
+
+// Throws for a scene of a newer version at once: its other mistakes are none.
+void check_version(const Table& scene) {
+    const Value* value = scene.find("nacre");
+    if (value == nullptr) return;
+    const auto* version = std::get_if<std::int64_t>(&value->data);
+    if (version != nullptr && *version > format_version) {
+        scene.fail(value->where, "nacre = " + value->text() +
+                                     " means that the scene is made for a newer nacre; this program reads nacre = " +
+                                     std::to_string(format_version));
+    }
+    scene.checked_integer("nacre", *value, {1, format_version});
+}
 
 // Finds the band of a colour. The finder's tables take some milliseconds, so they wait for the first colour.
 LobeReader lobe_reader(const std::shared_ptr<const Light>& light, const LeastSquaresSolver& solver) {
@@ -38,14 +56,25 @@ LobeReader lobe_reader(const std::shared_ptr<const Light>& light, const LeastSqu
     };
 }
 
+ColourReader colour_reader(const SceneFiles& files, const ColourSettings& settings) {
+    return [&files, settings](const Rgb& colour, const std::string& space, const Where& where) {
+        if (!files.read_colour)
+            throw Error(where.text() + ": a colour needs an OpenColorIO config, and there is none here");
+        return files.read_colour(colour, space, where, settings);
+    };
+}
+
 PickReaders pick_readers(const SceneFiles& files, const std::shared_ptr<const Light>& light,
                          const ColourSettings& settings) {
-    return {[&files, settings](const Rgb& colour, const std::string& space, const Where& where) {
-                if (!files.read_colour)
-                    throw Error(where.text() + ": a colour needs an OpenColorIO config, and there is none here");
-                return files.read_colour(colour, space, where, settings);
-            },
-            lobe_reader(light, files.least_squares),
+    // Under an unknown light a colour can be read, but no band be found for it.
+    if (light == nullptr) {
+        return {colour_reader(files, settings),
+                [](const Xyz&) {
+                    return LobeMatch{550.0, 100.0, 0.5};
+                },
+                [](const Lobe&) { return Xyz{}; }, [](const MeasuredSpectra&, double) { return Xyz{}; }};
+    }
+    return {colour_reader(files, settings), lobe_reader(light, files.least_squares),
             [light](const Lobe& lobe) {
                 return adapt(light->adaptation, lobe_to_xyz(light->weights, lobe.peak_nm, lobe.width_nm, lobe.height));
             },
@@ -54,18 +83,29 @@ PickReaders pick_readers(const SceneFiles& files, const std::shared_ptr<const Li
             }};
 }
 
-// @param files  has to outlive what is returned
-SceneContext material_context(const SceneFiles& files, const std::shared_ptr<const Light>& light,
+// The answer of a search that is not worth its time, because the scene has mistakes.
+std::vector<FoundMechanism> not_searched(const MechanismSearch& search) {
+    FoundMechanism found;
+    found.mechanism = search.start;
+    found.reached.resize(search.wanted.size());
+    found.de00.resize(search.wanted.size());
+    return {found};
+}
+
+// @param scene,files  have to outlive what is returned
+SceneContext material_context(const Table& scene, const SceneFiles& files, const std::shared_ptr<const Light>& light,
                               const ColourSettings& colour) {
-    const LightSettings& settings = light->settings;
-    SceneContext context{
-        {files.find_material, static_cast<double>(settings.first_nm), static_cast<double>(settings.last_nm)},
-        files.read_curve,
-        files.read_spectra,
-        pick_readers(files, light, colour)};
+    // A material is known over all of an unknown light.
+    constexpr double some_nm = 550.0;
+    const double first_nm = light == nullptr ? some_nm : light->settings.first_nm;
+    const double last_nm = light == nullptr ? some_nm : light->settings.last_nm;
+    SceneContext context{{files.find_material, first_nm, last_nm},
+                         files.read_curve,
+                         files.read_spectra,
+                         pick_readers(files, light, colour)};
     if (files.find_mechanisms) {
-        context.find_mechanisms = [&files, light](const MechanismSearch& search) {
-            return files.find_mechanisms(search, *light);
+        context.find_mechanisms = [&scene, &files, light](const MechanismSearch& search) {
+            return scene.is_good() ? files.find_mechanisms(search, *light) : not_searched(search);
         };
     }
     return context;
@@ -74,6 +114,15 @@ SceneContext material_context(const SceneFiles& files, const std::shared_ptr<con
 std::vector<std::string> joined(std::vector<std::string> a, const std::vector<std::string>& b) {
     a.insert(a.end(), b.begin(), b.end());
     return a;
+}
+
+// What only the whole plan can say.
+void check_plan(const Table& scene, const Plan& plan, const PlanRequest& request) {
+    scene.expect_all_read();
+    attempt(scene, scene.where(), [&] { OutputNames().claim(plan); });
+    if (!request.strict || !scene.is_good()) return;
+    for (const Mistake& missed : missed_pick_mistakes(plan, true))
+        scene.note(SceneError(missed.where, missed.text), missed.where);
 }
 
 }  // namespace
@@ -89,12 +138,13 @@ bool PlanRequest::wants(const std::string& name) const {
 }
 
 Plan plan_scene(const Table& scene, const SceneFiles& files, const PlanRequest& request) {
-    scene.integer_or("nacre", allowed_version, 1);
-    const AccuracySettings accuracy = read_accuracy(scene.table("accuracy"));
+    check_version(scene);
+    AccuracySettings accuracy;
+    attempt(scene, scene.where(), [&] { accuracy = read_accuracy(scene.table("accuracy")); });
     const std::shared_ptr<const Light> light = plan_light(scene, accuracy, files.read_curve);
     const ColourSettings colour = plan_colour(scene);
 
-    Materials materials(scene, material_context(files, light, colour), light->settings);
+    Materials materials(scene, material_context(scene, files, light, colour), light);
     const SceneParts parts{scene, accuracy, light, materials};
     PlannedLuts luts = plan_luts(parts, request);
     PlannedSwatches swatches = plan_swatches(parts, request, luts.names);
@@ -110,13 +160,9 @@ Plan plan_scene(const Table& scene, const SceneFiles& files, const PlanRequest& 
               materials.searches(),
               std::move(luts.luts),
               std::move(swatches.swatches)};
-    if (request.strict) {
-        const std::vector<std::string> messages = missed_pick_messages(plan, true);
-        if (!messages.empty()) throw Error(messages.front());
-    }
+    check_plan(scene, plan, request);
+    throw_mistakes(scene);
     plan.warnings = joined(accuracy.warnings, warnings_of(plan));
-    scene.expect_all_read();
-    OutputNames().claim(plan);
     return plan;
 }
 

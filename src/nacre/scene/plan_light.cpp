@@ -1,6 +1,7 @@
 // [light]: reads it, and checks what the readers of its keys cannot: that light and observer together have a white.
 #include <memory>
 #include <string>
+#include <utility>
 
 #include "nacre/base/names.h"
 #include "nacre/scene/plan_tables.h"
@@ -33,9 +34,14 @@ void check_white(const Light& light, const Table& scene) {
 
 std::shared_ptr<const Light> plan_light(const Table& scene, const AccuracySettings& accuracy,
                                         const CurveReader& read_curve) {
-    const auto light =
-        std::make_shared<const Light>(make_light(read_light(scene.table("light"), accuracy.wavelengths, read_curve)));
-    check_white(*light, scene);
+    std::shared_ptr<const Light> light;
+    attempt(scene, scene.where(), [&] {
+        const Table* table = scene.table("light");
+        LightSettings settings = read_light(table, accuracy.wavelengths, read_curve);
+        if (table != nullptr && !table->is_good()) return;
+        light = std::make_shared<const Light>(make_light(std::move(settings)));
+        if (scene.is_good()) check_white(*light, scene);
+    });
     return light;
 }
 

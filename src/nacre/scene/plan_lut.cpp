@@ -1,6 +1,9 @@
 // [lut.NAME]: one LUT. Its material comes first, because the axes are the material's; then the size and the outputs.
 #include <algorithm>
 #include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
 
 #include "nacre/base/names.h"
 #include "nacre/lut/formats.h"
@@ -37,7 +40,7 @@ int checked_size(const Table& table, std::string_view key, const Value& value) {
     const int size = table.checked_integer(key, value, allowed_size);
     if ((size & (size - 1)) != 0) {
         table.fail(value.where, std::string(key) + " = " + std::to_string(size) +
-                                    " is no power of two; allowed 2, 4, 8 ... " + std::to_string(largest_lut_size) +
+                                    " is not a power of two; allowed 2, 4, 8 ... " + std::to_string(largest_lut_size) +
                                     " (engines rescale other sizes)");
     }
     return size;
@@ -45,7 +48,7 @@ int checked_size(const Table& table, std::string_view key, const Value& value) {
 
 void check_axes_differ(const Job& job, const Table& table, const Where& where) {
     if (job.x.is_angle() && job.y->is_angle())
-        table.fail(where, "x and y are both the angle; one of them has to be a parameter");
+        table.fail(where, "x and y are both the angle; make one of them a parameter");
     if (job.x.is_angle() || job.y->is_angle()) return;
     const std::string& x = job.x.parameter.name;
     const std::string& y = job.y->parameter.name;
@@ -61,7 +64,7 @@ void read_fixed_angle(const Table& table, Job& job) {
     if (job.has_angle()) {
         table.fail(value->where, std::string(key) + " is fixed, but an axis is " +
                                      (quantity == Quantity::incidence ? "the angle" : std::string(key)) +
-                                     "; leave one of them out");
+                                     "; remove one of them");
     }
     const double fixed = table.checked_number(key, *value, allowed);
     job.fixed = quantity == Quantity::incidence   ? Geometry(Incidence::from_degrees(fixed))
@@ -69,30 +72,44 @@ void read_fixed_angle(const Table& table, Job& job) {
                                                   : Geometry::from_cos_scatter(fixed);
 }
 
+void read_axes(const Table& table, Job& job) {
+    const Mechanism& mechanism = job.material.mechanism;
+    job.x = default_axis(quantity_of(mechanism));
+    const Value* x = table.find("x");
+    const Value* y = table.find("y");
+    if (x != nullptr) attempt(table, x->where, [&] { job.x = read_axis(table, "x", *x, mechanism); });
+    if (y != nullptr) attempt(table, y->where, [&] { job.y = read_axis(table, "y", *y, mechanism); });
+    if (job.y && table.is_good()) attempt(table, y->where, [&] { check_axes_differ(job, table, y->where); });
+    attempt(table, table.where(), [&] { read_fixed_angle(table, job); });
+}
+
 // A size of the LUT's own counts instead of [accuracy]'s.
 void read_wish(const Table& table, const AccuracySettings& accuracy, PlannedLut& lut) {
-    const bool has_y = lut.job.y.has_value();
-    const LutSize own = read_lut_size(table);
-    if (own.height && !has_y) table.fail_at("size", "size has two numbers, but there is no y axis; give one");
+    const bool has_y = table.find("y") != nullptr;
     AccuracySettings settings = accuracy;
-    if (own.width) settings.size = {own.width, own.height ? own.height : own.width};
+    attempt(table, table.where(), [&] {
+        const LutSize own = read_lut_size(table);
+        if (own.height && !has_y) table.fail_at("size", "size has two numbers, but there is no y axis; give one");
+        if (own.width) settings.size = {own.width, own.height ? own.height : own.width};
+    });
     AccuracyWish wish = default_wish(settings, has_y);
-    if (const Value* format = table.find("format"))
-        wish.format = meaning_of(format_words, "format", table.checked_text("format", *format), table, format->where);
+    if (table.find("format") != nullptr) wish.format = read_word(table, "format", "format", format_words);
     take_wish(wish, lut);
 }
 
 void read_outputs(const Table& table, PlannedLut& lut) {
     const Value* value = table.find("outputs");
     if (value == nullptr) return;
-    lut.outputs.clear();
-    for (const std::string& name : table.texts("outputs")) {
-        const LutOutput output = meaning_of(output_words, "output", name, table, value->where);
-        if (std::find(lut.outputs.begin(), lut.outputs.end(), output) == lut.outputs.end())
-            lut.outputs.push_back(output);
-    }
-    if (lut.outputs.empty())
-        table.fail(value->where, "outputs is empty; known: " + comma_separated(names_of(output_words)));
+    attempt(table, value->where, [&] {
+        lut.outputs.clear();
+        for (const std::string& name : table.texts("outputs")) {
+            const LutOutput output = meaning_of(output_words, "output", name, table, value->where);
+            if (std::find(lut.outputs.begin(), lut.outputs.end(), output) == lut.outputs.end())
+                lut.outputs.push_back(output);
+        }
+        if (lut.outputs.empty())
+            table.fail(value->where, "outputs is empty; known: " + comma_separated(names_of(output_words)));
+    });
 }
 
 // Where an axis may lead to.
@@ -112,8 +129,9 @@ void check_name(const std::string& name, const Table& table, const Where& where)
     };
     if (name.empty() || name.size() > longest_name || name.front() == '.' || name.front() == '-' ||
         name.back() == '.' || !std::all_of(name.begin(), name.end(), allowed)) {
-        table.fail(where, "the name " + in_quotes(name) + " cannot be a file's name; allowed are 1 to " +
-                              std::to_string(longest_name) + " of A-Z a-z 0-9 _ - . (not first: - .)");
+        table.note(where, "the name " + in_quotes(name) + " cannot be the name of a file; allowed are 1 to " +
+                              std::to_string(longest_name) +
+                              " of A-Z a-z 0-9 _ - . that do not begin with - or . or end with .");
     }
 }
 
@@ -149,25 +167,23 @@ AccuracyWish default_wish(const AccuracySettings& accuracy, bool has_y) {
     return wish;
 }
 
-PlannedLut read_lut(const Table::Entry& entry, const SceneParts& parts) {
-    const Table& table = *std::get<std::shared_ptr<Table>>(entry.value.data);
+std::optional<PlannedLut> read_lut(const Table& table, const Table::Entry& entry, const SceneParts& parts) {
     PlannedLut lut;
     lut.name = entry.key;
     lut.where = entry.key_where;
-    Job& job = lut.job;
-    job.material = material_of(table, parts.materials);
-    job.light = parts.light;
-    job.x = default_axis(quantity_of(job.material.mechanism));
-    if (const Value* x = table.find("x")) job.x = read_axis(table, "x", *x, job.material.mechanism);
-    if (const Value* y = table.find("y")) {
-        job.y = read_axis(table, "y", *y, job.material.mechanism);
-        check_axes_differ(job, table, y->where);
+    lut.job.light = parts.light;
+    const SceneMaterial* material = material_of(table, parts.materials);
+    if (material != nullptr) {
+        lut.job.material = *material;
+        read_axes(table, lut.job);
+    } else {
+        for (const std::string_view key : {"x", "y", "angle_deg", "grating_u", "cos_scatter"}) table.skip(key);
     }
-    read_fixed_angle(table, job);
     read_wish(table, parts.accuracy, lut);
     read_outputs(table, lut);
     table.expect_all_read();
-    check_fringes_of_axes(table, job);
+    if (material == nullptr || !table.is_good()) return {};
+    if (parts.light != nullptr) check_fringes_of_axes(table, lut.job);
     return lut;
 }
 

@@ -20,39 +20,51 @@ constexpr std::pair<std::string_view, Polarisation> polarised[] = {{"_s", Polari
 // A LUT of the scene: [lut.NAME], or the default one of the material `name`.
 struct LutEntry {
     std::string name;
-    const Table::Entry* entry = nullptr;  // null: of a material
+    const Table* luts = nullptr;  // null: of a material
+    const Table::Entry* entry = nullptr;
 };
 
 std::vector<LutEntry> lut_entries(const SceneParts& parts) {
     std::vector<LutEntry> entries;
-    const Table* luts = parts.scene.table("lut");
+    const Table* luts = nullptr;
+    if (!attempt(parts.scene, parts.scene.where(), [&] { luts = parts.scene.table("lut"); })) return {};
     if (luts == nullptr) {
         for (const std::string& name : parts.materials.names()) entries.push_back({name});
         return entries;
     }
     for (const Table::Entry& entry : luts->entries()) {
-        luts->checked_table(entry.key, entry.value);
         check_name(entry.key, *luts, entry.key_where);
-        entries.push_back({entry.key, &entry});
+        entries.push_back({entry.key, luts, &entry});
     }
     return entries;
 }
 
-PlannedLut default_lut(const Material& material, const SceneParts& parts) {
+std::optional<PlannedLut> default_lut(const std::string& name, const SceneParts& parts) {
+    const SceneMaterial* material = parts.materials.named(name);
+    if (material == nullptr) return {};
     PlannedLut lut;
-    lut.name = material.name;
-    lut.job.material = material;
+    lut.name = name;
+    lut.job.material = *material;
     lut.job.light = parts.light;
-    lut.job.x = default_axis(quantity_of(material.mechanism));
+    lut.job.x = default_axis(quantity_of(material->mechanism));
     take_wish(default_wish(parts.accuracy, false), lut);
-    lut.where = material.where;
+    lut.where = material->where;
     return lut;
 }
 
-// One LUT, or two of a material that has both polarisations.
+std::optional<PlannedLut> read_entry(const LutEntry& entry, const SceneParts& parts) {
+    if (entry.luts == nullptr) return default_lut(entry.name, parts);
+    std::optional<PlannedLut> lut;
+    attempt(*entry.luts, entry.entry->key_where,
+            [&] { lut = read_lut(entry.luts->checked_table(entry.name, entry.entry->value), *entry.entry, parts); });
+    return lut;
+}
+
+// One LUT, or two of a material that has both polarisations; none if there are mistakes.
 std::vector<PlannedLut> luts_of(const LutEntry& entry, const SceneParts& parts) {
-    PlannedLut lut =
-        entry.entry != nullptr ? read_lut(*entry.entry, parts) : default_lut(parts.materials.named(entry.name), parts);
+    std::optional<PlannedLut> read = read_entry(entry, parts);
+    if (!read) return {};
+    PlannedLut& lut = *read;
     Effects& effects = lut.job.material.mechanism.effects;
     if (!effects.both_polarisations) return {std::move(lut)};
     effects.both_polarisations = false;
@@ -91,7 +103,9 @@ PlannedLuts plan_luts(const SceneParts& parts, const PlanRequest& request) {
             planned.names.push_back(entry.name);
             continue;
         }
-        for (PlannedLut& lut : luts_of(entry, parts)) {
+        std::vector<PlannedLut> luts = luts_of(entry, parts);
+        if (luts.empty()) planned.names.push_back(entry.name);
+        for (PlannedLut& lut : luts) {
             planned.names.push_back(lut.name);
             if (request.wants(entry.name) || request.wants(lut.name)) planned.luts.push_back(std::move(lut));
         }
@@ -99,11 +113,13 @@ PlannedLuts plan_luts(const SceneParts& parts, const PlanRequest& request) {
     return planned;
 }
 
-std::optional<PlannedLut> find_lut(const SceneParts& parts, const std::string& name) {
+FoundLut find_lut(const SceneParts& parts, const std::string& name) {
     for (const LutEntry& entry : lut_entries(parts)) {
         if (!may_be(entry, name)) continue;
-        for (PlannedLut& lut : luts_of(entry, parts)) {
-            if (lut.name == name) return std::move(lut);
+        std::vector<PlannedLut> luts = luts_of(entry, parts);
+        if (luts.empty()) return {true, {}};
+        for (PlannedLut& lut : luts) {
+            if (lut.name == name) return {true, std::move(lut)};
         }
     }
     return {};

@@ -13,31 +13,41 @@
 namespace nacre {
 namespace {
 
-void show_lut(const Table& table, const Value& value, const SceneParts& parts,
-              const std::vector<std::string>& lut_names, PlannedSwatch& swatch) {
-    if (table.find("material") != nullptr) {
-        table.fail_at("material", "a swatch shows a material or a lut; leave one of them out");
-    }
+// @return nothing if the LUT, its material or the swatch has mistakes
+std::optional<Job> job_of_lut(const Table& table, const Value& value, const SceneParts& parts,
+                              const std::vector<std::string>& lut_names) {
+    if (table.find("material") != nullptr)
+        table.note_at("material", "a swatch shows a material or a lut; remove one of them");
     const std::string& name = table.checked_text("lut", value);
-    const std::optional<PlannedLut> lut = find_lut(parts, name);
-    if (!lut) table.fail(value.where, "unknown lut " + in_quotes(name) + "; known: " + known_like(name, lut_names));
-    swatch.jobs = {lut->job};
+    const FoundLut found = find_lut(parts, name);
+    if (!found.exists)
+        table.note(value.where, "unknown lut " + in_quotes(name) + "; known: " + known_like(name, lut_names));
+    if (!found.lut) return {};
+    return found.lut->job;
 }
 
-void show_material(const Table& table, const SceneParts& parts, PlannedSwatch& swatch) {
-    const SceneMaterial& material = material_of(table, parts.materials);
-    const bool needs_picks = swatch.kind == SwatchKind::plane || swatch.kind == SwatchKind::palette;
-    if (needs_picks && !std::holds_alternative<Palette>(material.mechanism)) {
-        table.fail_at("draw", "draw = " + in_quotes(name_of(swatch_words, swatch.kind)) +
+void check_shows_something(const Table& table, SwatchKind kind, const SceneMaterial& material) {
+    const bool needs_palette = kind == SwatchKind::plane || kind == SwatchKind::palette;
+    if (needs_palette && !std::holds_alternative<Palette>(material.mechanism)) {
+        table.fail_at("draw", "draw = " + in_quotes(name_of(swatch_words, kind)) +
                                   " shows the picks of a palette, and material " + in_quotes(material.name) + " is a " +
                                   std::string(mechanism_name(material.mechanism)) + "; draw a strip or a sphere");
     }
-    if (swatch.kind == SwatchKind::picks && material.picked.empty()) {
+    if (kind == SwatchKind::picks && material.picked.empty()) {
         table.fail_at("draw", "draw = \"picks\" shows picks that are colours, and material " +
                                   in_quotes(material.name) + " has none; give them as colour = \"#rrggbb\"");
     }
-    swatch.jobs = swatch_jobs(swatch.kind, material, parts.light);
-    swatch.picked = material.picked;
+}
+
+void show_material(const Table& table, const SceneParts& parts, PlannedSwatch& swatch) {
+    const SceneMaterial* material = material_of(table, parts.materials);
+    if (material == nullptr) {
+        table.skip("pick");
+        return;
+    }
+    check_shows_something(table, swatch.kind, *material);
+    swatch.jobs = swatch_jobs(swatch.kind, *material, parts.light);
+    swatch.picked = material->picked;
     if (swatch.kind != SwatchKind::palette) return;
     const Allowed allowed_pick{0.0, static_cast<double>(swatch.jobs.size() - 1)};
     const int pick = table.integer_or("pick", allowed_pick, -1);
@@ -45,8 +55,9 @@ void show_material(const Table& table, const SceneParts& parts, PlannedSwatch& s
     swatch.jobs = {Job(swatch.jobs[static_cast<std::size_t>(pick)])};
 }
 
-PlannedSwatch read_swatch(const Table& table, const Table::Entry& entry, const SceneParts& parts,
-                          const std::vector<std::string>& lut_names) {
+// @return nothing if there are mistakes
+std::optional<PlannedSwatch> read_swatch(const Table& table, const Table::Entry& entry, const SceneParts& parts,
+                                         const std::vector<std::string>& lut_names) {
     PlannedSwatch swatch;
     swatch.name = entry.key;
     swatch.where = entry.key_where;
@@ -58,12 +69,13 @@ PlannedSwatch read_swatch(const Table& table, const Table::Entry& entry, const S
     const bool may_show_lut = swatch.kind == SwatchKind::strip || swatch.kind == SwatchKind::sphere;
     const Value* lut = may_show_lut ? table.find("lut") : nullptr;
     if (lut != nullptr) {
-        show_lut(table, *lut, parts, lut_names, swatch);
+        if (auto job = job_of_lut(table, *lut, parts, lut_names)) swatch.jobs = {std::move(*job)};
     } else {
         show_material(table, parts, swatch);
     }
-    swatch.title = table.text_or("title", swatch.jobs.front().material.name);
+    swatch.title = table.text_or("title", swatch.jobs.empty() ? "" : swatch.jobs.front().material.name);
     table.expect_all_read();
+    if (swatch.jobs.empty() || !table.is_good()) return {};
     return swatch;
 }
 
@@ -72,13 +84,18 @@ PlannedSwatch read_swatch(const Table& table, const Table::Entry& entry, const S
 PlannedSwatches plan_swatches(const SceneParts& parts, const PlanRequest& request,
                               const std::vector<std::string>& lut_names) {
     PlannedSwatches planned;
-    const Table* swatches = parts.scene.table("swatch");
+    const Table* swatches = nullptr;
+    attempt(parts.scene, parts.scene.where(), [&] { swatches = parts.scene.table("swatch"); });
     if (swatches == nullptr) return planned;
     for (const Table::Entry& entry : swatches->entries()) {
-        const Table& table = swatches->checked_table(entry.key, entry.value);
         check_name(entry.key, *swatches, entry.key_where);
         planned.names.push_back(entry.key);
-        if (request.wants(entry.key)) planned.swatches.push_back(read_swatch(table, entry, parts, lut_names));
+        if (!request.wants(entry.key)) continue;
+        attempt(*swatches, entry.key_where, [&] {
+            const Table& table = swatches->checked_table(entry.key, entry.value);
+            auto swatch = read_swatch(table, entry, parts, lut_names);
+            if (swatch) planned.swatches.push_back(std::move(*swatch));
+        });
     }
     return planned;
 }

@@ -12,8 +12,8 @@
 
 namespace nacre {
 
-// The parts of plan_scene(): one function per kind of table, each of which returns its part of the plan. All throw
-// Error for what is wrong in it.
+// The parts of plan_scene(): one function per kind of table, each of which returns its part of the plan. Mistakes are
+// noted in the table where they are (mistakes.cpp), and a part that has one is missing from what is returned.
 
 /// Names become file names on every system that an artist's files pass through.
 /// @param parent  the table that holds the name, for the message
@@ -46,55 +46,59 @@ AccuracyWish default_wish(const AccuracySettings& accuracy, bool has_y);
 void take_wish(const AccuracyWish& wish, PlannedLut& lut);
 
 /// [light], and `wavelengths` of [accuracy]. The light has some power where it is sampled, and a white that the
-/// adaptation can start from.
+/// adaptation can start from. Null if [light] has mistakes.
 std::shared_ptr<const Light> plan_light(const Table& scene, const AccuracySettings& accuracy,
                                         const CurveReader& read_curve);
 
 /// [colour].
 ColourSettings plan_colour(const Table& scene);
 
-/// Throws Error if a material's layers are so thick that no sampling of wavelengths resolves their fringes.
-/// @param table  the material's or the LUT's, for the message
+/// Notes it if a material's layers are so thick that no sampling of wavelengths resolves their fringes.
+/// @param table  the material's or the LUT's
 void check_fringes(const Table& table, const Mechanism& mechanism, const LightSettings& light);
 
 /// [material]: the materials of a scene. Each is read and checked once, when it is asked for first.
 class Materials {
 public:
     /// @param scene  has to outlive this
-    Materials(const Table& scene, SceneContext context, LightSettings light);
+    /// @param light  null if it has mistakes: then nothing is checked that needs it
+    Materials(const Table& scene, SceneContext context, std::shared_ptr<const Light> light);
     Materials(const Materials&) = delete;
     Materials& operator=(const Materials&) = delete;
 
     const std::vector<std::string>& names() const { return names_; }
-    /// @pre the name is one of names()
-    const SceneMaterial& named(const std::string& name);
-    /// Those that were asked for, in the scene's order.
+    /// Null if it has mistakes. @pre the name is one of names()
+    const SceneMaterial* named(const std::string& name);
+    /// Those that were asked for and have no mistakes, in the scene's order.
     std::vector<SceneMaterial> read() const;
     /// Of these, what picks led to, in the order in which they were asked for.
     const std::vector<MaterialSearch>& searches() const { return searches_; }
 
 private:
-    const Table& table_;
+    std::optional<SceneMaterial> read_material(const std::string& name);
+
+    const Table* table_;  // null: [material] is missing or not a table
     SceneContext context_;
-    LightSettings light_;
+    std::shared_ptr<const Light> light_;
     std::vector<std::string> names_;
-    std::map<std::string, SceneMaterial> read_;
+    std::map<std::string, std::optional<SceneMaterial>> read_;
     std::vector<MaterialSearch> searches_;
 };
 
-/// The material that the key `material` names, or the only one that there is.
-const SceneMaterial& material_of(const Table& table, Materials& materials);
+/// The material that the key `material` names, or the only one that there is. Null if there is no such material or it
+/// has mistakes.
+const SceneMaterial* material_of(const Table& table, Materials& materials);
 
 /// What LUTs and swatches refer to.
 struct SceneParts {
     const Table& scene;
     AccuracySettings accuracy;
-    std::shared_ptr<const Light> light;
+    std::shared_ptr<const Light> light;  ///< null if it has mistakes
     Materials& materials;
 };
 
-/// One [lut.NAME].
-PlannedLut read_lut(const Table::Entry& entry, const SceneParts& parts);
+/// One [lut.NAME]; nothing if it or its material has mistakes.
+std::optional<PlannedLut> read_lut(const Table& table, const Table::Entry& entry, const SceneParts& parts);
 
 /// [lut], or one LUT per material in a scene without that table.
 struct PlannedLuts {
@@ -103,8 +107,12 @@ struct PlannedLuts {
 };
 PlannedLuts plan_luts(const SceneParts& parts, const PlanRequest& request);
 
-/// One LUT by its name, whether it is wanted or not; nothing if the scene has none of that name.
-std::optional<PlannedLut> find_lut(const SceneParts& parts, const std::string& name);
+/// One LUT by its name, whether it is wanted or not.
+struct FoundLut {
+    bool exists = false;
+    std::optional<PlannedLut> lut;  ///< nothing if it or its material has mistakes
+};
+FoundLut find_lut(const SceneParts& parts, const std::string& name);
 
 /// [swatch].
 struct PlannedSwatches {
@@ -119,7 +127,7 @@ PlannedSwatches plan_swatches(const SceneParts& parts, const PlanRequest& reques
 std::vector<std::string> warnings_of(const Plan& plan);
 
 /// The picked colours that their material does not show: those that were searched for, or, `if_given`, also those of
-/// materials whose numbers are all given. With the place of each.
-std::vector<std::string> missed_pick_messages(const Plan& plan, bool if_given);
+/// materials whose numbers are all given.
+std::vector<Mistake> missed_pick_mistakes(const Plan& plan, bool if_given);
 
 }  // namespace nacre

@@ -15,22 +15,24 @@ std::string place_of(const SceneMaterial& material) {
 
 }  // namespace
 
-std::vector<std::string> missed_pick_messages(const Plan& plan, bool if_given) {
-    std::vector<std::string> messages;
+std::vector<Mistake> missed_pick_mistakes(const Plan& plan, bool if_given) {
+    std::vector<Mistake> mistakes;
     for (const SceneMaterial& material : plan.materials) {
         for (const MissedPick& missed : missed_picks(material.picked)) {
             const PickedColour& picked = missed.picked;
             if (!picked.is_searched && !if_given) continue;
-            messages.push_back(picked.where.text() + " [material." + material.name + "]: picks[" +
-                               std::to_string(picked.pick) + "], " + picked.text + ": " + missed.text);
+            mistakes.push_back({picked.where, picked.where.text() + " [material." + material.name + "]: picks[" +
+                                                  std::to_string(picked.pick) + "], " + picked.text + ": " +
+                                                  missed.text});
         }
     }
-    return messages;
+    return mistakes;
 }
 
 std::vector<std::string> warnings_of(const Plan& plan) {
     // Of a material whose numbers are all given, who bakes it knows what it misses.
-    std::vector<std::string> warnings = missed_pick_messages(plan, false);
+    std::vector<std::string> warnings;
+    for (const Mistake& missed : missed_pick_mistakes(plan, false)) warnings.push_back(missed.text);
     for (const SceneMaterial& material : plan.materials) {
         const std::string warning = mechanism_warning(material.mechanism, plan.light->settings);
         if (!warning.empty()) warnings.push_back(place_of(material) + warning);

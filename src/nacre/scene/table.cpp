@@ -3,19 +3,31 @@
 #include <algorithm>
 #include <cmath>
 
-#include "nacre/base/error.h"
 #include "nacre/base/names.h"
 #include "nacre/base/text.h"
+#include "nacre/scene/key_names.h"
 
 namespace nacre {
 namespace {
 
-constexpr std::size_t longest_text = 4096;
+constexpr std::size_t longest_text = 4096;  // the longest path of Linux
 
 std::string interval_text(const Allowed& allowed) {
     std::string text = "[" + limit_text(allowed.low) + ", " + limit_text(allowed.high) + "]";
     if (!allowed.unit.empty()) text += " " + std::string(allowed.unit);
     return text;
+}
+
+// NaN if it is not a number.
+double number_in(const Value& value) {
+    if (const auto* whole = std::get_if<std::int64_t>(&value.data)) return static_cast<double>(*whole);
+    if (const auto* real = std::get_if<double>(&value.data)) return *real;
+    return std::nan("");
+}
+
+// In place of a mistake.
+double allowed_near(double number, const Allowed& allowed) {
+    return std::isnan(number) ? allowed.low : std::clamp(number, allowed.low, allowed.high);
 }
 
 }  // namespace
@@ -45,23 +57,29 @@ void Table::add(std::string key, Where key_where, Value value) {
     entries_.push_back({std::move(key), std::move(key_where), std::move(value), false});
 }
 
+const Table::Entry* Table::entry_of(std::string_view key) const {
+    auto found = index_.find(key);
+    const std::string american = american_spelling(key);
+    if (found == index_.end() && !american.empty()) found = index_.find(american);
+    return found == index_.end() ? nullptr : &entries_[found->second];
+}
+
 void Table::know(std::string_view key) const {
     if (std::find(asked_.begin(), asked_.end(), key) == asked_.end()) asked_.emplace_back(key);
 }
 
 const Value* Table::find(std::string_view key) const {
     know(key);
-    const auto found = index_.find(key);
-    if (found == index_.end()) return nullptr;
-    const Entry& entry = entries_[found->second];
-    entry.read = true;
-    return &entry.value;
+    const Entry* entry = entry_of(key);
+    if (entry == nullptr) return nullptr;
+    entry->read = true;
+    return &entry->value;
 }
 
 double Table::number(std::string_view key, const Allowed& allowed) const {
-    const Value* value = find(key);
-    if (value == nullptr) fail_missing(key, "it has no default");
-    return checked_number(key, *value, allowed);
+    if (const Value* value = find(key)) return checked_number(key, *value, allowed);
+    note_missing(key);
+    return allowed.low;
 }
 
 double Table::number_or(std::string_view key, const Allowed& allowed, double otherwise) const {
@@ -76,7 +94,7 @@ int Table::integer_or(std::string_view key, const Allowed& allowed, int otherwis
 
 std::string Table::text(std::string_view key) const {
     const Value* value = find(key);
-    if (value == nullptr) fail_missing(key, "it has no default");
+    if (value == nullptr) fail_missing(key);
     return checked_text(key, *value);
 }
 
@@ -99,32 +117,44 @@ const Table* Table::table(std::string_view key) const {
     return value == nullptr ? nullptr : &checked_table(key, *value);
 }
 
-double Table::checked_number(std::string_view key, const Value& value, const Allowed& allowed) const {
-    double number = 0.0;
-    if (const auto* whole = std::get_if<std::int64_t>(&value.data)) {
-        number = static_cast<double>(*whole);
-    } else if (const auto* real = std::get_if<double>(&value.data)) {
-        number = *real;
-    } else {
-        fail_type(key, value, "a number");
-    }
+std::string Table::number_mistake(std::string_view key, const Value& value, const Allowed& allowed,
+                                  bool is_whole) const {
+    const bool is_integer = std::holds_alternative<std::int64_t>(value.data);
+    if (is_whole && !is_integer) return type_message(key, value, "a whole number");
+    if (!is_integer && !std::holds_alternative<double>(value.data)) return type_message(key, value, "a number");
+    const double number = number_in(value);
     // Written so that NaN fails too.
-    if (!(number >= allowed.low && number <= allowed.high)) {
-        const std::string_view complaint = std::isfinite(number) ? "is out of range" : "is not a finite number";
-        fail(value.where, std::string(key) + " = " + value.text() + " " + std::string(complaint) + "; allowed " +
-                              interval_text(allowed));
-    }
-    return number;
+    if (number >= allowed.low && number <= allowed.high) return {};
+    const std::string_view complaint = std::isfinite(number) ? "is out of range" : "is not a finite number";
+    return std::string(key) + " = " + value.text() + " " + std::string(complaint) + "; allowed " +
+           interval_text(allowed);
+}
+
+double Table::checked_number(std::string_view key, const Value& value, const Allowed& allowed) const {
+    const std::string mistake = number_mistake(key, value, allowed, false);
+    if (!mistake.empty()) note(value.where, mistake);
+    return allowed_near(number_in(value), allowed);
 }
 
 int Table::checked_integer(std::string_view key, const Value& value, const Allowed& allowed) const {
-    if (!std::holds_alternative<std::int64_t>(value.data)) fail_type(key, value, "a whole number");
-    return static_cast<int>(checked_number(key, value, allowed));
+    const std::string mistake = number_mistake(key, value, allowed, true);
+    if (!mistake.empty()) note(value.where, mistake);
+    return static_cast<int>(allowed_near(number_in(value), allowed));
+}
+
+std::vector<double> Table::checked_numbers(std::string_view key, const Value& value, const Allowed& allowed) const {
+    std::vector<double> numbers;
+    for (const Value& element : checked_array(key, value)) {
+        const std::string mistake = number_mistake(key, element, allowed, false);
+        if (!mistake.empty()) fail(element.where, mistake);
+        numbers.push_back(number_in(element));
+    }
+    return numbers;
 }
 
 const std::string& Table::checked_text(std::string_view key, const Value& value) const {
     const auto* text = std::get_if<std::string>(&value.data);
-    if (text == nullptr) fail_type(key, value, "a string");
+    if (text == nullptr) fail(value.where, type_message(key, value, "a string"));
     // Paths end at a zero, terminals obey escape codes, and a message is one line.
     const auto is_control = [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; };
     if (text->size() > longest_text || std::any_of(text->begin(), text->end(), is_control)) {
@@ -137,51 +167,14 @@ const std::string& Table::checked_text(std::string_view key, const Value& value)
 
 const Value::Array& Table::checked_array(std::string_view key, const Value& value) const {
     const auto* array = std::get_if<Value::Array>(&value.data);
-    if (array == nullptr) fail_type(key, value, "an array");
+    if (array == nullptr) fail(value.where, type_message(key, value, "an array"));
     return *array;
 }
 
 const Table& Table::checked_table(std::string_view key, const Value& value) const {
     const auto* table = std::get_if<std::shared_ptr<Table>>(&value.data);
-    if (table == nullptr) fail_type(key, value, "a table");
+    if (table == nullptr) fail(value.where, type_message(key, value, "a table"));
     return **table;
-}
-
-void Table::expect_all_read() const {
-    for (const Entry& entry : entries_) {
-        if (entry.read) continue;
-        std::string message = "unknown key " + in_quotes(entry.key);
-        if (!asked_.empty()) message += "; known: " + comma_separated(asked_);
-        fail(entry.key_where, message);
-    }
-}
-
-void Table::fail(const Where& where, std::string_view message) const {
-    const std::string heading = path_.empty() ? "" : " [" + path_ + "]";
-    throw Error(where.text() + heading + ": " + std::string(message));
-}
-
-void Table::fail_at(std::string_view key, std::string_view message) const {
-    const auto found = index_.find(key);
-    fail(found == index_.end() ? where_ : entries_[found->second].value.where, message);
-}
-
-void Table::fail_type(std::string_view key, const Value& value, std::string_view wanted) const {
-    fail(value.where, std::string(key) + " = " + value.text() + " is " + std::string(value.kind()) + "; give " +
-                          std::string(wanted));
-}
-
-void Table::fail_missing(std::string_view key, std::string_view what_is_allowed) const {
-    // A misspelt key is the likelier mistake, and has a place.
-    std::vector<std::string> unread;
-    for (const Entry& entry : entries_) {
-        if (!entry.read) unread.push_back(entry.key);
-    }
-    for (const std::string& candidate : nearest_names(key, unread, 1)) {
-        fail(entries_[index_.at(candidate)].key_where,
-             "unknown key " + in_quotes(candidate) + "; did you mean " + std::string(key) + "?");
-    }
-    fail(where_, std::string(key) + " is missing; " + std::string(what_is_allowed));
 }
 
 }  // namespace nacre

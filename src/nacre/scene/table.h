@@ -10,10 +10,9 @@
 #include <vector>
 
 #include "nacre/base/where.h"
+#include "nacre/scene/mistakes.h"
 
 namespace nacre {
-
-class Table;
 
 /// One value of a scene, with its place.
 struct Value {
@@ -29,9 +28,10 @@ struct Value {
 
 /// What the user wrote between two table headings, in any syntax, with places.
 ///
-/// Every read names its key; a key that nobody read is the user's misspelling (expect_all_read). Reads of a missing
-/// required key, a wrong type or a number out of range throw Error:
-/// `scene.toml:12:5 [material.beetle]: width_nm = -20 is out of range; allowed [0, 1000] nm`.
+/// Every read names its key; a key that nobody read is the user's misspelling (expect_all_read). "colour" in a key may
+/// be spelt "color". A message: `scene.toml:12:5 [material.beetle]: width_nm = -20 is out of range; allowed [0, 1000]
+/// nm`. What is said to note a mistake keeps it until throw_mistakes(), and reading goes on; everything else throws
+/// SceneError for it (see mistakes.cpp).
 class Table {
 public:
     /// @param path  the heading, e.g. "material.beetle"; empty for the top of a scene
@@ -44,7 +44,7 @@ public:
         mutable bool read = false;
     };
 
-    /// Throws Error if the key is there already.
+    /// Throws if the key is there already.
     void add(std::string key, Where key_where, Value value);
 
     const std::string& path() const { return path_; }
@@ -56,7 +56,10 @@ public:
 
     /// Makes a key one of those that a misspelling is answered with, without reading it.
     void know(std::string_view key) const;
+    /// Makes a key count as read where what it says cannot be checked.
+    void skip(std::string_view key) const { find(key); }
 
+    /// Notes a missing key, a wrong type and a number out of range, and then gives an allowed number instead.
     double number(std::string_view key, const Allowed& allowed) const;
     double number_or(std::string_view key, const Allowed& allowed, double otherwise) const;
     int integer_or(std::string_view key, const Allowed& allowed, int otherwise) const;
@@ -70,26 +73,66 @@ public:
     /// One value of this table, checked like number().
     double checked_number(std::string_view key, const Value& value, const Allowed& allowed) const;
     int checked_integer(std::string_view key, const Value& value, const Allowed& allowed) const;
+    /// An array of numbers; throws for the first that is wrong.
+    std::vector<double> checked_numbers(std::string_view key, const Value& value, const Allowed& allowed) const;
     const std::string& checked_text(std::string_view key, const Value& value) const;
     const Value::Array& checked_array(std::string_view key, const Value& value) const;
     const Table& checked_table(std::string_view key, const Value& value) const;
 
-    /// @throws Error for the first key that nobody read, with the known ones
+    /// Notes every key that nobody read, with the key that may be meant or the known ones.
     void expect_all_read() const;
 
+    void note(const Where& where, std::string_view message) const;
+    void note(const Error& error, const Where& where) const;
+    void note_at(std::string_view key, std::string_view message) const;
+    /// Of a required key. A key that nobody read and that may be meant is noted instead (by expect_all_read).
+    void note_missing(std::string_view key, std::string_view what_is_allowed = "it is required") const;
+    /// Whether nothing was noted in this table and the tables in it.
+    bool is_good() const;
+    /// What was, in this table and the tables in it.
+    void collect_mistakes(std::vector<Mistake>& mistakes) const;
+
     [[noreturn]] void fail(const Where& where, std::string_view message) const;
-    /// For a required key: names the misspelling, if one of the keys that nobody read looks like it.
-    [[noreturn]] void fail_missing(std::string_view key, std::string_view what_is_allowed) const;
     [[noreturn]] void fail_at(std::string_view key, std::string_view message) const;
+    /// Of a required key without which reading cannot go on.
+    [[noreturn]] void fail_missing(std::string_view key, std::string_view what_is_allowed = "it is required") const;
 
 private:
-    [[noreturn]] void fail_type(std::string_view key, const Value& value, std::string_view wanted) const;
+    struct Missing {
+        std::string key;
+        std::string message;
+    };
+
+    const Entry* entry_of(std::string_view key) const;
+    std::string message(const Where& where, std::string_view text) const;
+    std::string type_message(std::string_view key, const Value& value, std::string_view wanted) const;
+    std::string number_mistake(std::string_view key, const Value& value, const Allowed& allowed, bool is_whole) const;
+    const Entry* misspelling_of(std::string_view key) const;
+    void note_unknown(const Entry& entry) const;
 
     std::string path_;
     Where where_;
     std::vector<Entry> entries_;
     std::map<std::string, std::size_t, std::less<>> index_;
     mutable std::vector<std::string> asked_;  // the keys that somebody knows: what a misspelling is compared with
+    mutable std::vector<Mistake> mistakes_;
+    mutable std::vector<Missing> missing_;  // keys that may yet turn out to be misspelt
 };
+
+/// Reads a part of a table that ends at its first mistake, which is noted.
+/// @param where  the part's place, for mistakes that do not know their own
+/// @return whether there was none
+template <typename Read>
+bool attempt(const Table& table, const Where& where, const Read& read) {
+    try {
+        read();
+        return true;
+    } catch (const IoError&) {
+        throw;  // the disk's, not the user's
+    } catch (const Error& error) {
+        table.note(error, where);
+        return false;
+    }
+}
 
 }  // namespace nacre

@@ -130,6 +130,17 @@ TEST(ShippedMaterials, HaveTheIndicesOfTheirPapers) {
     EXPECT_NEAR(n("calcite", 587.56), 1.6585, 1e-4);
 }
 
+TEST(ShippedMaterials, AreListedWithHalfALineOfWords) {
+    const std::vector<ListedName> list = shipped_material_list();
+    const std::vector<std::string> names = shipped_material_names();
+    ASSERT_EQ(list.size(), names.size());
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        EXPECT_EQ(list[i].name, names[i]);
+        EXPECT_FALSE(list[i].description.empty()) << names[i];
+    }
+    EXPECT_EQ(list.front().description, "silver");
+}
+
 TEST(FindMaterial, TakesAFileByItsEndingAndAMaterialByItsName) {
     const test::TemporaryFolder folder;
     folder.file("sub/mine.csv", "400,1.5\n700,1.4\n");
@@ -148,6 +159,9 @@ TEST(FindMaterial, NamesWhatItCannotFind) {
     EXPECT_EQ(message_for("unobtainium", ""),
               "s.toml:3:1: unknown material \"unobtainium\"; known: ag, air, al, al2o3, aragonite, ..., or a .yml or "
               ".csv file");
+    EXPECT_EQ(message_for("Titanium Dioxide", ""),
+              "s.toml:3:1: unknown material \"Titanium Dioxide\"; did you mean tio2?");
+    EXPECT_EQ(message_for("gold", ""), "s.toml:3:1: unknown material \"gold\"; did you mean au?");
     EXPECT_EQ(message_for("mine.yml", "/nowhere"),
               "s.toml:3:1: /nowhere/mine.yml: cannot be opened: No such file or directory");
     const test::TemporaryFolder folder;

@@ -14,6 +14,7 @@
 #include "nacre/base/error.h"
 #include "nacre/lut/planned_lut.h"
 #include "nacre/material/mechanism.h"
+#include "nacre/scene/mistakes.h"
 #include "nacre/scene/plan.h"
 #include "nacre/scene/readers/mechanism_reader.h"
 #include "nacre/scene/readers/smooth_rgb.h"
@@ -44,6 +45,7 @@ public:
                                    [&](const std::string& file, const Where&) { return read_spectra_csv(path(file)); }};
         Mechanism mechanism = read_mechanism(material, context).mechanism;
         material.expect_all_read();
+        throw_mistakes(scene);
         return mechanism;
     }
 
@@ -500,7 +502,7 @@ TEST_P(BadEffects, AreOneLineThatSaysWhereAndWhat) {
 }
 
 const std::vector<Mistake> grating_mistakes{
-    {"NoPeriod", grating + "depth_nm = 1\n", "s.toml:1:1 [material.m]: period_nm is missing; it has no default"},
+    {"NoPeriod", grating + "depth_nm = 1\n", "s.toml:1:1 [material.m]: period_nm is missing; it is required"},
     {"PeriodOutOfRange", grating + "period_nm = 9.9\ndepth_nm = 1\n",
      "s.toml:3:13 [material.m]: period_nm = 9.9 is out of range; allowed [10, 1000000] nm"},
     {"MisspeltPeriod", grating + "periode_nm = 900\ndepth_nm = 1\n",
@@ -542,7 +544,7 @@ const std::vector<Mistake> grating_mistakes{
     {"NegativeEfficiency", grating + "period_nm = 900\nefficiency = [0.5, -0.1]\n",
      "s.toml:4:20 [material.m]: efficiency = -0.1 is out of range; allowed [0, 1]"},
     {"NoOrders", grating + "period_nm = 900\ndepth_nm = 1\norders = []\n",
-     "s.toml:5:10 [material.m]: orders is empty; give those that count, as [1, 2], or leave the key out for all"},
+     "s.toml:5:10 [material.m]: orders is empty; give those that count, such as [1, 2], or remove the key for all"},
     {"OrderTwice", grating + "period_nm = 900\ndepth_nm = 1\norders = [2, 1, 2]\n",
      "s.toml:5:10 [material.m]: orders has 2 twice; give every order once (its mirror image comes with it)"},
     {"NegativeOrder", grating + "period_nm = 900\ndepth_nm = 1\norders = [-1, 1]\n",
@@ -554,7 +556,7 @@ const std::vector<Mistake> grating_mistakes{
     {"OrdersThatAreNoList", grating + "period_nm = 900\ndepth_nm = 1\norders = 1\n",
      "s.toml:5:10 [material.m]: orders = 1 is a whole number; give an array"},
     {"UnknownCoat", grating + "period_nm = 900\ndepth_nm = 1\ncoat = \"aluminium\"\n",
-     "s.toml:5:8: unknown material \"aluminium\"; known: ag, air, al, al2o3, aragonite, ..., or a .yml or .csv file"},
+     "s.toml:5:8: unknown material \"aluminium\"; did you mean al?"},
     {"NegativeGrooveLength", grating + "period_nm = 900\ndepth_nm = 1\ngroove_length_um = -1\n",
      "s.toml:5:20 [material.m]: groove_length_um = -1 is out of range; allowed [0, 1000000] um"},
     {"AzimuthBeyondAll", grating + "period_nm = 900\ndepth_nm = 1\nazimuth_deg = 91\n",
@@ -567,7 +569,7 @@ const std::vector<Mistake> grating_mistakes{
 const std::vector<Mistake> crystal_mistakes{
     {"NoSphere", crystal + "diameter_nm = 250\n",
      "s.toml:1:1 [material.m]: sphere is missing; give a number, { n, k }, or the name of a material"},
-    {"NoDiameter", crystal + "sphere = 1.45\n", "s.toml:1:1 [material.m]: diameter_nm is missing; it has no default"},
+    {"NoDiameter", crystal + "sphere = 1.45\n", "s.toml:1:1 [material.m]: diameter_nm is missing; it is required"},
     {"DiameterOutOfRange", crystal + "sphere = 1.45\ndiameter_nm = 9\n",
      "s.toml:4:15 [material.m]: diameter_nm = 9 is out of range; allowed [10, 100000] nm"},
     {"SpacingOfNothing", crystal + "sphere = 1.45\ndiameter_nm = 250\nspacing_nm = 0\n",
@@ -592,7 +594,7 @@ const std::vector<Mistake> scatter_mistakes{
      "s.toml:3:9 [material.m]: unknown model \"raleigh\"; known: rayleigh, mie, quasi_ordered"},
     {"NoParticle", scatter + "radius_nm = 20\n",
      "s.toml:1:1 [material.m]: particle is missing; give a number, { n, k }, or the name of a material"},
-    {"NoRadius", scatter + "particle = 1.5\n", "s.toml:1:1 [material.m]: radius_nm is missing; it has no default"},
+    {"NoRadius", scatter + "particle = 1.5\n", "s.toml:1:1 [material.m]: radius_nm is missing; it is required"},
     {"RadiusOfNothing", scatter + "particle = 1.5\nradius_nm = 0\n",
      "s.toml:4:13 [material.m]: radius_nm = 0 is out of range; allowed [0.1, 10000000] nm"},
     {"AbsorbingMedium", scatter + "particle = 1.5\nradius_nm = 20\nmedium = { n = 1.5, k = 1e-9 }\n",
@@ -665,8 +667,7 @@ const std::vector<Mistake> measured_mistakes{
     {"NegativeReflectance", measured + "wavelength_nm = [400, 500]\nangle_deg = [0]\nreflectance = [[0.1, -0.1]]\n",
      "s.toml:5:22 [material.m]: reflectance = -0.1 is out of range; allowed [0, 10]"},
     {"UnknownKeyOfAMeasurement", measured + "file = \"beetle.csv\"\nfiles = 3\n",
-     "s.toml:4:1 [material.m]: unknown key \"files\"; known: mechanism, file, wavelength_nm, angle_deg, reflectance, "
-     "name, tilt_deg"},
+     "s.toml:4:1 [material.m]: unknown key \"files\"; did you mean file?"},
 };
 
 const std::vector<Mistake> effect_mistakes{
@@ -730,8 +731,7 @@ const std::vector<Mistake> effect_mistakes{
     {"PolarisationThatIsNoWord", good_film + "polarisation = 1\n",
      "s.toml:7:16 [material.m]: polarisation = 1 is a whole number; give a string"},
     {"MisspeltEffect", good_film + "tild_deg = 5\n",
-     "s.toml:7:1 [material.m]: unknown key \"tild_deg\"; known: mechanism, incident, index, thickness_nm, substrate, "
-     "thickness_spread_nm, base, tilt_deg, polarisation"},
+     "s.toml:7:1 [material.m]: unknown key \"tild_deg\"; did you mean tilt_deg?"},
     {"UnknownBase", good_film + "base = \"white\"\n",
      "s.toml:7:8 [material.m]: unknown base \"white\"; known: black, a number, { rgb }, { spectrum }, { wavelength_nm, "
      "reflectance }, { pigment, scattering_per_um, share } or { metal }"},
@@ -742,7 +742,8 @@ const std::vector<Mistake> effect_mistakes{
      "s.toml:7:8 [material.m]: base = [...] is an array; give black, a number, { rgb }, { spectrum }, { wavelength_nm, "
      "reflectance }, { pigment, scattering_per_um, share } or { metal }"},
     {"BaseOfNothing", good_film + "base = {}\n",
-     "s.toml:7:8 [material.m]: base says nothing; give a number, { rgb }, { spectrum }, { wavelength_nm, reflectance "
+     "s.toml:7:8 [material.m]: base does not say what it is; give a number, { rgb }, { spectrum }, { wavelength_nm, "
+     "reflectance "
      "}, { pigment, scattering_per_um, share } or { metal }"},
     {"BaseOfSomethingUnknown", good_film + "base = { colour = [1, 0, 0] }\n",
      "s.toml:7:10 [material.m]: unknown key \"colour\"; known: rgb, spectrum, reflectance, pigment, metal, "
@@ -751,7 +752,8 @@ const std::vector<Mistake> effect_mistakes{
      "s.toml:7:35 [material.m]: base has both rgb and metal; give one of a number, { rgb }, { spectrum }, { "
      "wavelength_nm, reflectance }, { pigment, scattering_per_um, share } or { metal }"},
     {"BaseOfAShareOnly", good_film + "base = { share = 0.5 }\n",
-     "s.toml:7:8 [material.m]: base says nothing; give a number, { rgb }, { spectrum }, { wavelength_nm, reflectance "
+     "s.toml:7:8 [material.m]: base does not say what it is; give a number, { rgb }, { spectrum }, { wavelength_nm, "
+     "reflectance "
      "}, { pigment, scattering_per_um, share } or { metal }"},
     {"BaseOfTwoColours", good_film + "base = { rgb = [1, 0] }\n",
      "s.toml:7:16 [material.m]: rgb has 2 numbers; give three, of linear Rec.709: [red, green, blue]"},
@@ -783,7 +785,7 @@ const std::vector<Mistake> effect_mistakes{
      "s.toml:7:31 [material.m]: unknown key \"depth\"; known: rgb, spectrum, reflectance, pigment, metal, "
      "scattering_per_um, share"},
     {"UnknownMetal", good_film + "base = { metal = \"aluminium\" }\n",
-     "s.toml:7:18: unknown material \"aluminium\"; known: ag, air, al, al2o3, aragonite, ..., or a .yml or .csv file"},
+     "s.toml:7:18: unknown material \"aluminium\"; did you mean al?"},
     {"BaseBelowAMetal",
      std::string("mechanism = \"film\"\nindex = 1.5\nthickness_nm = 300\nsubstrate = \"ag\"\n") + "base = 0.5\n",
      "s.toml:6:8 [material.m]: base lies below a substrate that absorbs, k = 5.8, so nothing comes back from it; "

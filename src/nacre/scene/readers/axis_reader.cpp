@@ -80,6 +80,7 @@ Axis read_axis(const Table& lut, std::string_view key, const Value& value, const
     axis.from = table.number("from", axis.parameter.allowed);
     axis.to = table.number("to", axis.parameter.allowed);
     table.expect_all_read();
+    if (!table.is_good()) return axis;
     if (axis.from == axis.to) {
         table.fail_at("to", "from and to are both " + number_text(axis.to) + "; an axis needs two different ends");
     }

@@ -18,7 +18,7 @@ namespace {
 constexpr Allowed allowed_reflectance{0.0, 1.0};
 constexpr Allowed allowed_scattering{1e-9, 1e6, "per um"};
 constexpr Allowed allowed_wavelength{1.0, 1e6, "nm"};
-// Chosen: a hundred times what the finest instruments give, and still no burden.
+// Chosen: far more than instruments give.
 constexpr std::size_t most_samples = 100000;
 // What a colour may be off: CIEDE2000 1 is just not told apart.
 constexpr double most_ciede2000 = 1.0;
@@ -26,10 +26,7 @@ constexpr double most_ciede2000 = 1.0;
 std::vector<double> read_numbers(const Table& table, std::string_view key, const Allowed& allowed) {
     const Value* value = table.find(key);
     if (value == nullptr) table.fail_missing(key, "give an array of numbers");
-    std::vector<double> numbers;
-    for (const Value& element : table.checked_array(key, *value))
-        numbers.push_back(table.checked_number(key, element, allowed));
-    return numbers;
+    return table.checked_numbers(key, *value, allowed);
 }
 
 RgbBase read_rgb(const Table& table) {
@@ -114,9 +111,28 @@ Base read_form(const Table& table, const SceneContext& context) {
     if (form == "reflectance") return read_inline_spectrum(table);
     if (form == "pigment") return read_pigment(table, context.index);
     if (form == "metal") return MetalBase{read_required_index(table, "metal", context.index)};
-    for (const std::string_view key : {"scattering_per_um", "share"}) table.find(key);
+    for (const std::string_view key : {"scattering_per_um", "share"}) table.skip(key);
     table.expect_all_read();
-    table.fail(table.where(), "base says nothing; give " + std::string(forms));
+    if (table.is_good()) table.note(table.where(), "base does not say what it is; give " + std::string(forms));
+    return GreyBase{};
+}
+
+std::optional<Base> read_value(const Table& table, const Value& value, const SceneContext& context) {
+    if (const auto* word = std::get_if<std::string>(&value.data)) {
+        if (*word == "black") return {};
+        table.fail(value.where, "unknown base " + in_quotes(*word) + "; known: black, " + std::string(forms));
+    }
+    if (std::holds_alternative<std::shared_ptr<Table>>(value.data)) {
+        const Table& form = table.checked_table("base", value);
+        const Base base = read_form(form, context);
+        form.expect_all_read();
+        return base;
+    }
+    if (!std::holds_alternative<double>(value.data) && !std::holds_alternative<std::int64_t>(value.data)) {
+        table.fail(value.where, "base = " + value.text() + " is " + std::string(value.kind()) + "; give black, " +
+                                    std::string(forms));
+    }
+    return GreyBase{table.checked_number("base", value, allowed_reflectance)};
 }
 
 std::string list_text(const std::vector<double>& numbers) {
@@ -147,21 +163,9 @@ struct BaseText {
 std::optional<Base> read_base(const Table& table, const SceneContext& context) {
     const Value* value = table.find("base");
     if (value == nullptr) return {};
-    if (const auto* word = std::get_if<std::string>(&value->data)) {
-        if (*word == "black") return {};
-        table.fail(value->where, "unknown base " + in_quotes(*word) + "; known: black, " + std::string(forms));
-    }
-    if (std::holds_alternative<std::shared_ptr<Table>>(value->data)) {
-        const Table& form = table.checked_table("base", *value);
-        const Base base = read_form(form, context);
-        form.expect_all_read();
-        return base;
-    }
-    if (!std::holds_alternative<double>(value->data) && !std::holds_alternative<std::int64_t>(value->data)) {
-        table.fail(value->where, "base = " + value->text() + " is " + std::string(value->kind()) + "; give black, " +
-                                     std::string(forms));
-    }
-    return GreyBase{table.checked_number("base", *value, allowed_reflectance)};
+    std::optional<Base> base;
+    attempt(table, value->where, [&] { base = read_value(table, *value, context); });
+    return base;
 }
 
 std::string base_toml(const Base& base) {

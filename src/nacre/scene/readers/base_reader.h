@@ -12,7 +12,7 @@ namespace nacre {
 /// What the key `base` of a material says; nothing if it is "black" or missing.
 ///
 /// A number; { rgb }; { spectrum }, of a file; { wavelength_nm, reflectance }; { pigment, scattering_per_um, share };
-/// { metal }. Throws Error for anything else.
+/// { metal }. Notes mistakes.
 std::optional<Base> read_base(const Table& table, const SceneContext& context);
 
 /// As a value in TOML; reads back as the same base.

@@ -37,8 +37,8 @@ ReadMechanism read_crystal(const Table& table, const SceneContext& context) {
     if (const Value* spacing = table.find("spacing_nm")) {
         crystal.spacing_nm = table.checked_number("spacing_nm", *spacing, allowed_spacing);
         const double least_nm = least_spacing * crystal.diameter_nm;
-        if (crystal.spacing_nm < least_nm) {
-            table.fail(spacing->where, "spacing_nm = " + spacing->text() + " presses spheres of " +
+        if (crystal.spacing_nm < least_nm && table.is_good()) {
+            table.note(spacing->where, "spacing_nm = " + spacing->text() + " presses spheres of " +
                                            number_text(crystal.diameter_nm) + " nm flat; allowed is " +
                                            number_text(least_spacing) + " of diameter_nm or more, " +
                                            significant_text(least_nm, 10) + " nm");
@@ -52,8 +52,8 @@ ReadMechanism read_crystal(const Table& table, const SceneContext& context) {
 
 MechanismSearch crystal_search(const Table& table, const IndexReader& index) {
     if (const Value* spacing = table.find("spacing_nm")) {
-        table.fail(spacing->where,
-                   "picks lead to touching spheres, whose spacing is sqrt(2/3) of diameter_nm; leave spacing_nm out");
+        table.note(spacing->where,
+                   "picks lead to touching spheres, whose spacing is sqrt(2/3) of diameter_nm; remove spacing_nm");
     }
     MechanismSearch search;
     Crystal crystal;

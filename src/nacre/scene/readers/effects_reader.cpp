@@ -59,7 +59,8 @@ void refuse_others_keys(const Table& table, const Mechanism& mechanism) {
         for (const EffectKey& key : effect_keys) {
             const std::string_view refusal = refusals.*key.refusal;
             if (key.key != entry.key || refusal.empty()) continue;
-            table.fail(entry.key_where, entry.key + " means nothing for mechanism " +
+            entry.read = true;
+            table.note(entry.key_where, entry.key + " means nothing for mechanism " +
                                             std::string(mechanism_name(mechanism)) + ", " + std::string(refusal) +
                                             "; known for " + mechanisms_that_know(key));
         }
@@ -72,7 +73,7 @@ void check_substrate(const Table& table, const Mechanism& mechanism, const Index
     if (substrate_of == nullptr) return;
     const double k = largest_k(substrate_of(mechanism), index.first_nm, index.last_nm);
     if (k <= transparent_k) return;
-    table.fail_at("base", "base lies below a substrate that absorbs, k = " + significant_text(k, 4) +
+    table.note_at("base", "base lies below a substrate that absorbs, k = " + significant_text(k, 4) +
                               ", so nothing comes back from it; allowed is a substrate with k up to " +
                               number_text(transparent_k));
 }

@@ -26,12 +26,13 @@ void FreeReader::add(std::string_view key, const FreeRange& range, const std::fu
 FreeRange FreeReader::bounds(std::string_view key, const Table& range, const Allowed& allowed, FreeScale scale) const {
     FreeRange bounds{range.number("from", allowed), range.number("to", allowed), scale};
     range.expect_all_read();
+    if (!range.is_good()) return {bounds.low, bounds.low, scale};
     if (bounds.low > bounds.high) {
-        table_.fail(range.where(), std::string(key) + " runs from " + number_text(bounds.low) + " down to " +
+        table_.note(range.where(), std::string(key) + " runs from " + number_text(bounds.low) + " down to " +
                                        number_text(bounds.high) + "; give the smaller number first");
     }
     if (scale == FreeScale::whole && (bounds.low != std::round(bounds.low) || bounds.high != std::round(bounds.high)))
-        table_.fail(range.where(), std::string(key) + " is a whole number; so have to be from and to");
+        table_.note(range.where(), std::string(key) + " is a whole number; give whole numbers for from and to");
     if (scale == FreeScale::ratio && !(bounds.low > 0.0)) bounds.scale = FreeScale::even;
     return bounds;
 }

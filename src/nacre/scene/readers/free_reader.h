@@ -28,7 +28,7 @@ const Table* range_of(const Table& table, std::string_view key, const Value& val
 /// Reads the keys of a mechanism that picks are to lead to: a number, or whatever else the key may have, is fixed;
 /// { from, to } bounds the search; a key that is missing is looked for in its usual range.
 ///
-/// All throw Error for what is wrong, and add to the search what is free.
+/// All note mistakes, and add to the search what is free.
 class FreeReader {
 public:
     /// All have to outlive this.

@@ -42,17 +42,13 @@ std::vector<double> read_efficiency(const Table& table, const Value& value) {
                                          "efficiency, or the profile that it follows from");
         }
     }
-    const Value::Array& list = table.checked_array("efficiency", value);
-    if (list.empty() || list.size() > most_efficiencies) {
-        table.fail(value.where, "efficiency has " + std::to_string(list.size()) + " numbers; allowed 1 to " +
+    std::vector<double> efficiency = table.checked_numbers("efficiency", value, allowed_share);
+    if (efficiency.empty() || efficiency.size() > most_efficiencies) {
+        table.fail(value.where, "efficiency has " + std::to_string(efficiency.size()) + " numbers; allowed 1 to " +
                                     std::to_string(most_efficiencies) + ", of orders 1, 2, ...");
     }
-    std::vector<double> efficiency;
     double both_signs = 0.0;
-    for (const Value& element : list) {
-        efficiency.push_back(table.checked_number("efficiency", element, allowed_share));
-        both_signs += 2.0 * efficiency.back();
-    }
+    for (const double share : efficiency) both_signs += 2.0 * share;
     constexpr double rounding = 1e-12;  // of the sum: 0.1 + 0.2 + 0.2 is one half
     if (both_signs > 1.0 + rounding) {
         table.fail(value.where, "the orders and their mirror images get more than all the light, " +
@@ -64,21 +60,24 @@ std::vector<double> read_efficiency(const Table& table, const Value& value) {
 
 void refuse_land(const Table& table) {
     if (const Value* land = table.find("land"))
-        table.fail(land->where, "land means nothing for a sinusoidal profile; known for lamellar");
+        table.note(land->where, "land means nothing for a sinusoidal profile; known for lamellar");
 }
 
 void read_profile(const Table& table, Grating& grating) {
     // So that a misspelling of one is not taken for another's.
     for (const std::string_view known : {"profile", "depth_nm", "land", "efficiency"}) table.know(known);
     if (const Value* efficiency = table.find("efficiency")) {
-        grating.efficiency = read_efficiency(table, *efficiency);
+        attempt(table, efficiency->where, [&] { grating.efficiency = read_efficiency(table, *efficiency); });
         grating.profile = GratingProfile::given;
         return;
     }
     grating.profile = read_word(table, "profile", "profile", profile_words);
     const Value* depth = table.find("depth_nm");
-    if (depth == nullptr) table.fail_missing("depth_nm", "give it, or the orders' efficiency");
-    grating.depth_nm = table.checked_number("depth_nm", *depth, allowed_depth);
+    if (depth == nullptr) {
+        table.note_missing("depth_nm", "give it, or the orders' efficiency");
+    } else {
+        grating.depth_nm = table.checked_number("depth_nm", *depth, allowed_depth);
+    }
     if (grating.profile == GratingProfile::lamellar) {
         grating.land = table.number_or("land", allowed_share, grating.land);
     } else {
@@ -93,7 +92,7 @@ std::vector<int> read_orders(const Table& table) {
     for (const Value& element : table.checked_array("orders", *value))
         orders.push_back(table.checked_integer("orders", element, allowed_order));
     if (orders.empty()) {
-        table.fail(value->where, "orders is empty; give those that count, as [1, 2], or leave the key out for all");
+        table.fail(value->where, "orders is empty; give those that count, such as [1, 2], or remove the key for all");
     }
     std::sort(orders.begin(), orders.end());
     const auto twice = std::adjacent_find(orders.begin(), orders.end());
@@ -112,7 +111,7 @@ std::string efficiency_toml(const std::vector<double>& efficiency) {
 
 void read_setting(const Table& table, const IndexReader& index, Grating& grating) {
     if (const Value* coat = table.find("coat")) grating.coat = index.read(table, "coat", *coat);
-    grating.orders = read_orders(table);
+    attempt(table, table.where(), [&] { grating.orders = read_orders(table); });
     grating.groove_length_um = table.number_or("groove_length_um", allowed_groove_length, 0.0);
     grating.azimuth_deg = table.number_or("azimuth_deg", allowed_azimuth, 0.0);
 }
@@ -197,16 +196,16 @@ std::string grating_warning(const Mechanism& mechanism, const LightSettings& lig
     const auto& grating = std::get<Grating>(mechanism);
     const std::vector<int> orders = counted_orders(grating, light.first_nm);
     if (orders.empty()) {
-        return "no order of the grating that counts can be seen: its grooves are too close together, and everything "
-               "that shows it is black";
+        return "the grating is black: its grooves are so close together that none of its orders is visible; increase "
+               "period_nm";
     }
     if (2.0 * share_across(grating) * grating.period_nm < orders.front() * static_cast<double>(light.first_nm)) {
-        return "no order of the grating that counts can be seen at its azimuth_deg, so far beside the plane across the "
-               "grooves, and what shows it there is black";
+        return "the grating is black at its azimuth_deg: none of its orders is visible so far from the plane across "
+               "the grooves; reduce azimuth_deg";
     }
     if (grating.azimuth_deg > 0.0 && grating.groove_length_um == 0.0) {
-        return "endless grooves send no light aside, and everything that shows them from azimuth_deg > 0 is black; "
-               "give groove_length_um";
+        return "the grating is black: endless grooves send no light aside, where azimuth_deg > 0; give "
+               "groove_length_um";
     }
     return "";
 }

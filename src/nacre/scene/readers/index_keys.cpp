@@ -8,8 +8,9 @@ namespace nacre {
 
 Index read_required_index(const Table& table, std::string_view key, const IndexReader& reader) {
     const Value* value = table.find(key);
-    if (value == nullptr) table.fail_missing(key, "give a number, { n, k }, or the name of a material");
-    return reader.read(table, key, *value);
+    if (value != nullptr) return reader.read(table, key, *value);
+    table.note_missing(key, "give a number, { n, k }, or the name of a material");
+    return Index(1.0);
 }
 
 Index read_clear_medium(const Table& table, std::string_view key, const IndexReader& reader,
@@ -18,7 +19,7 @@ Index read_clear_medium(const Table& table, std::string_view key, const IndexRea
     // A number is meant as it is; a table of a clear material may have a tiny k.
     const double limit = medium.is_constant() ? 0.0 : transparent_k;
     if (largest_k(medium, reader.first_nm, reader.last_nm) > limit) {
-        table.fail_at(
+        table.note_at(
             key, std::string(key) + " absorbs, so " + std::string(consequence) + "; allowed is a medium with k = 0");
     }
     if (medium.is_constant() || medium.curve->is_lossless()) return medium;

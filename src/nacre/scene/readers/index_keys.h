@@ -15,10 +15,10 @@ namespace nacre {
 inline constexpr Allowed allowed_thickness{0.0, 1e8, "nm"};
 inline constexpr Allowed allowed_spread{0.0, 1e4, "nm"};
 
-/// An index behind a key that has no default.
+/// An index behind a key that is required. Notes mistakes, and then gives air.
 Index read_required_index(const Table& table, std::string_view key, const IndexReader& reader);
 
-/// A medium that light crosses before it meets anything; air if the key is missing. Throws Error for one that absorbs.
+/// A medium that light crosses before it meets anything; air if the key is missing. Notes one that absorbs.
 /// @param consequence  "no light gets to the particles": for the message
 Index read_clear_medium(const Table& table, std::string_view key, const IndexReader& reader,
                         std::string_view consequence);

@@ -1,3 +1,4 @@
+// A refractive index, in all the forms in which a scene may give it.
 #include "nacre/scene/readers/index_reader.h"
 
 #include <algorithm>
@@ -16,7 +17,7 @@ namespace {
 constexpr Allowed allowed_coefficient{-1e30, 1e30};
 constexpr Allowed allowed_index_wavelength{1.0, 1e9, "nm"};
 constexpr Allowed allowed_formula{1, 9};
-constexpr std::size_t most_rows = 100000;
+constexpr std::size_t most_rows = 100000;  // chosen: far more than published tables have
 
 enum class Outside { error, hold };
 struct OutsideWord {
@@ -26,9 +27,7 @@ struct OutsideWord {
 constexpr std::array outside_words{OutsideWord{"error", Outside::error}, OutsideWord{"hold", Outside::hold}};
 
 std::vector<double> read_numbers(const Table& table, std::string_view key, const Value& value, const Allowed& allowed) {
-    std::vector<double> numbers;
-    for (const Value& element : table.checked_array(key, value))
-        numbers.push_back(table.checked_number(key, element, allowed));
+    std::vector<double> numbers = table.checked_numbers(key, value, allowed);
     if (numbers.empty() || numbers.size() > most_rows) {
         table.fail(value.where, std::string(key) + " has " + std::to_string(numbers.size()) +
                                     " numbers; allowed 1 to " + std::to_string(most_rows));
@@ -121,7 +120,7 @@ void read_range(const Table& table, IndexCurve& curve) {
     if (range == nullptr) return;
     const std::vector<double> ends = read_numbers(table, "range_nm", *range, allowed_index_wavelength);
     if (ends.size() != 2 || !(ends[0] < ends[1]))
-        table.fail(range->where, "range_nm is no interval; give [first, last], the first smaller");
+        table.fail(range->where, "range_nm is not an interval; give [first, last], the first smaller");
     curve.first_nm = std::max(curve.first_nm, ends[0]);
     curve.last_nm = std::min(curve.last_nm, ends[1]);
 }
@@ -204,6 +203,27 @@ Index IndexReader::read_material(const Table& table, std::string_view key, const
     return Index(std::move(curve));
 }
 
+IndexCurve IndexReader::read_written_curve(const Table& table, std::string_view key, const Value* n) const {
+    IndexCurve curve;
+    curve.name = table.text_or("name", "");
+    if (is_array(n)) {
+        SampledCurve samples = read_curve(table, "wavelength_nm", "n", allowed_n);
+        narrow_to(curve, samples);
+        curve.n = std::move(samples);
+    } else if (n != nullptr) {
+        curve.n = table.checked_number("n", *n, allowed_n);
+    } else if (table.find("cauchy") || table.find("sellmeier") || table.find("formula")) {
+        curve.n = read_formula(table);
+    } else {
+        table.note_missing("n", std::string(key) +
+                                    " needs a number, a material, { n, k }, { cauchy = [...] }, { sellmeier = [...] } "
+                                    "or { wavelength_nm = [...], n = [...] }");
+    }
+    read_k(table, curve);
+    read_range(table, curve);
+    return curve;
+}
+
 Index IndexReader::read_table(const Table& table, std::string_view key) const {
     // So that a misspelling is answered with all of them.
     for (const std::string_view known : {"n", "k", "material", "cauchy", "sellmeier", "formula", "coefficients",
@@ -217,42 +237,34 @@ Index IndexReader::read_table(const Table& table, std::string_view key) const {
         return index;
     }
     const Value* n = table.find("n");
-    const Value* k = table.find("k");
-    if (n != nullptr && !is_array(n) && !is_array(k)) {
+    if (n != nullptr && !is_array(n) && !is_array(table.find("k"))) {
         const double real = table.checked_number("n", *n, allowed_n);
         const double imaginary = table.number_or("k", allowed_k, 0.0);
         table.expect_all_read();
         return Index(RefractiveIndex(real, imaginary));
     }
-    IndexCurve curve;
+    IndexCurve curve = read_written_curve(table, key, n);
     curve.holds_outside = holds_outside;
-    curve.name = table.text_or("name", "");
-    if (is_array(n)) {
-        SampledCurve samples = read_curve(table, "wavelength_nm", "n", allowed_n);
-        narrow_to(curve, samples);
-        curve.n = std::move(samples);
-    } else if (n != nullptr) {
-        curve.n = table.checked_number("n", *n, allowed_n);
-    } else if (table.find("cauchy") || table.find("sellmeier") || table.find("formula")) {
-        curve.n = read_formula(table);
-    } else {
-        table.fail(table.where(), std::string(key) +
-                                      " says no index; give a number, a material, { n, k }, { cauchy = [...] }, "
-                                      "{ sellmeier = [...] } or { wavelength_nm = [...], n = [...] }");
-    }
-    read_k(table, curve);
-    read_range(table, curve);
     table.expect_all_read();
-    check_range(table, table.where(), curve);
-    check_formula(table, curve, first_nm, last_nm);
+    if (table.is_good()) {
+        check_range(table, table.where(), curve);
+        check_formula(table, curve, first_nm, last_nm);
+    }
     return Index(std::make_shared<const IndexCurve>(std::move(curve)));
 }
 
 Index IndexReader::read(const Table& table, std::string_view key, const Value& value) const {
-    if (std::holds_alternative<std::string>(value.data)) return read_material(table, key, value, false);
-    if (std::holds_alternative<std::shared_ptr<Table>>(value.data))
-        return read_table(table.checked_table(key, value), key);
-    return Index(table.checked_number(key, value, allowed_n));
+    Index index(1.0);
+    attempt(table, value.where, [&] {
+        if (std::holds_alternative<std::string>(value.data)) {
+            index = read_material(table, key, value, false);
+        } else if (std::holds_alternative<std::shared_ptr<Table>>(value.data)) {
+            index = read_table(table.checked_table(key, value), key);
+        } else {
+            index = Index(table.checked_number(key, value, allowed_n));
+        }
+    });
+    return index;
 }
 
 Index IndexReader::read_or(const Table& table, std::string_view key, const Index& otherwise) const {

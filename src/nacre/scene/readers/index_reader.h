@@ -22,6 +22,7 @@ struct IndexReader {
 
     /// A number; { n, k }; the name of a material; { material, outside }; { cauchy }, { sellmeier } or { formula,
     /// coefficients }, each with k and range_nm; { wavelength_nm, n, k }.
+    /// Notes mistakes, and then gives air.
     /// @param key  what the value stands behind, for messages
     Index read(const Table& table, std::string_view key, const Value& value) const;
     /// The same for a key that may be missing.
@@ -29,6 +30,7 @@ struct IndexReader {
 
 private:
     Index read_table(const Table& table, std::string_view key) const;
+    IndexCurve read_written_curve(const Table& table, std::string_view key, const Value* n) const;
     Index read_material(const Table& table, std::string_view key, const Value& name, bool holds_outside) const;
     void check_range(const Table& table, const Where& where, const IndexCurve& curve) const;
 };

@@ -20,15 +20,17 @@ constexpr std::size_t most_layer_parameters = 200;  // chosen: messages list the
 using Depth = std::size_t;
 
 void check_may_grade(const Table& table, const Value& value, Depth depth) {
-    if (depth == 0) table.fail(value.where, "from and to run over the repeats of a group, and this layer is in none");
+    if (depth > 0) return;
+    table.note(value.where,
+               "from and to run over the repeats of a group, and this layer is not in a group; give one "
+               "value");
 }
 
 void read_layer_index(const Table& table, Depth depth, const IndexReader& reader, Layer& layer) {
     const Value* value = table.find("index");
-    if (value == nullptr) table.fail_missing("index", "give a number, { n, k }, or the name of a material");
-    const Table* range = range_of(table, "index", *value);
+    const Table* range = value == nullptr ? nullptr : range_of(table, "index", *value);
     if (range == nullptr) {
-        layer.index = reader.read(table, "index", *value);
+        layer.index = read_required_index(table, "index", reader);
         return;
     }
     check_may_grade(table, *value, depth);
@@ -39,10 +41,9 @@ void read_layer_index(const Table& table, Depth depth, const IndexReader& reader
 
 void read_layer_thickness(const Table& table, Depth depth, Layer& layer) {
     const Value* value = table.find("thickness_nm");
-    if (value == nullptr) table.fail_missing("thickness_nm", "it has no default");
-    const Table* range = range_of(table, "thickness_nm", *value);
+    const Table* range = value == nullptr ? nullptr : range_of(table, "thickness_nm", *value);
     if (range == nullptr) {
-        layer.thickness_nm = table.checked_number("thickness_nm", *value, allowed_thickness);
+        layer.thickness_nm = table.number("thickness_nm", allowed_thickness);
         return;
     }
     check_may_grade(table, *value, depth);
@@ -55,13 +56,16 @@ void read_incoherent(const Table& table, Depth depth, Layer& layer) {
     const Value* value = table.find("incoherent");
     if (value == nullptr) return;
     const auto* flag = std::get_if<bool>(&value->data);
-    if (flag == nullptr) table.fail(value->where, "incoherent = " + value->text() + "; give true or false");
+    if (flag == nullptr) {
+        table.note(value->where, "incoherent = " + value->text() + "; give true or false");
+        return;
+    }
     layer.is_incoherent = *flag;
     if (layer.is_incoherent && depth > 0) {
-        table.fail(value->where, "a layer of a group cannot be incoherent; write the layers out, or mark one outside");
+        table.note(value->where, "a layer of a group cannot be incoherent; write the layers out, or mark one outside");
     }
     if (layer.is_incoherent && (layer.last_index || layer.last_thickness_nm))
-        table.fail(value->where, "an incoherent layer cannot be graded");
+        table.note(value->where, "an incoherent layer cannot be graded; give one index and one thickness_nm");
 }
 
 std::vector<Layer> read_list(const Table& table, const Value& value, Depth depth, const IndexReader& reader);
@@ -87,14 +91,17 @@ std::vector<Layer> read_list(const Table& table, const Value& value, Depth depth
     const Value::Array& list = table.checked_array("layers", value);
     if (list.empty()) table.fail(value.where, "layers is empty; give one layer or more");
     if (depth > deepest_group) {
-        table.fail(value.where, "groups are nested deeper than " + std::to_string(deepest_group));
+        table.fail(value.where,
+                   "groups are nested too deeply; allowed are " + std::to_string(deepest_group) + " levels");
     }
     std::vector<Layer> layers;
     for (const Value& element : list) {
-        const Table& item = table.checked_table("layers", element);
-        const bool is_group = item.find("layers") != nullptr || item.find("repeat") != nullptr;
-        layers.push_back(is_group ? read_group(item, depth, reader) : read_layer(item, depth, reader));
-        item.expect_all_read();
+        attempt(table, element.where, [&] {
+            const Table& item = table.checked_table("layers", element);
+            const bool is_group = item.find("layers") != nullptr || item.find("repeat") != nullptr;
+            layers.push_back(is_group ? read_group(item, depth, reader) : read_layer(item, depth, reader));
+            item.expect_all_read();
+        });
     }
     return layers;
 }

@@ -1,3 +1,4 @@
+// [light]: the illuminant, the eye, and the wavelengths that count.
 #include "nacre/scene/readers/light_reader.h"
 
 #include <algorithm>
@@ -20,7 +21,7 @@ namespace {
 constexpr Allowed allowed_nm{cie_table_first_nm, cie_table_last_nm, "nm"};
 constexpr Allowed any_power{0.0, 1e30};
 constexpr Allowed any_wavelength{1.0, 1e6, "nm"};
-constexpr std::size_t most_light_samples = 100000;
+constexpr std::size_t most_light_samples = 100000;  // chosen: far more than instruments give
 
 void read_range(const Table& table, LightSettings& settings) {
     const Value* range = table.find("range_nm");
@@ -30,7 +31,7 @@ void read_range(const Table& table, LightSettings& settings) {
         table.fail(range->where, "range_nm has " + std::to_string(ends.size()) + " numbers; give [first, last]");
     settings.first_nm = table.checked_integer("range_nm", ends[0], allowed_nm);
     settings.last_nm = table.checked_integer("range_nm", ends[1], allowed_nm);
-    if (settings.first_nm >= settings.last_nm) {
+    if (table.is_good() && settings.first_nm >= settings.last_nm) {
         table.fail(range->where, "range_nm = [" + std::to_string(settings.first_nm) + ", " +
                                      std::to_string(settings.last_nm) + "] is empty; the first must be smaller");
     }
@@ -39,12 +40,9 @@ void read_range(const Table& table, LightSettings& settings) {
 // { name = "...", wavelength_nm = [...], power = [...] }: what light_toml() writes for a table.
 SampledCurve read_inline_curve(const Table& table) {
     const auto numbers = [&](std::string_view key, const Allowed& allowed) {
-        std::vector<double> result;
         const Value* value = table.find(key);
-        if (value == nullptr) table.fail(table.where(), std::string(key) + " is missing; give an array of numbers");
-        for (const Value& element : table.checked_array(key, *value))
-            result.push_back(table.checked_number(key, element, allowed));
-        return result;
+        if (value == nullptr) table.fail_missing(key, "give an array of numbers");
+        return table.checked_numbers(key, *value, allowed);
     };
     SampledCurve curve{numbers("wavelength_nm", any_wavelength), numbers("power", any_power)};
     if (curve.wavelength_nm.size() != curve.value.size() || curve.value.size() < 2 ||
@@ -124,14 +122,14 @@ LightSettings read_light(const Table* light, std::optional<int> wavelengths, con
     settings.wavelengths = wavelengths;
     settings.observer = read_word(table, "observer", "observer", observer_words);
     settings.adaptation = read_word(table, "adapt", "adapt", adaptation_words);
-    read_range(table, settings);
-    read_illuminant(table, settings, read_curve);
-    if (settings.is_table) {
+    attempt(table, table.where(), [&] { read_range(table, settings); });
+    attempt(table, table.where(), [&] { read_illuminant(table, settings, read_curve); });
+    table.expect_all_read();
+    if (settings.is_table && table.is_good()) {
         // Lamps are measured further than eyes see, and their last values may be noise below zero.
         crop_curve(settings.power, settings.first_nm, settings.last_nm);
-        check_power(table, settings);
+        attempt(table, table.where(), [&] { check_power(table, settings); });
     }
-    table.expect_all_read();
     return settings;
 }
 

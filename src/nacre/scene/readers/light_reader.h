@@ -15,7 +15,8 @@ namespace nacre {
 /// back ascends and is finite. Throws Error or IoError.
 using CurveReader = std::function<SampledCurve(const std::string& file, const Where& where)>;
 
-/// Reads [light] (null: all defaults) and `wavelengths` of [accuracy].
+/// Reads [light] (null: all defaults) and `wavelengths` of [accuracy]. Notes mistakes; what comes back can be used only
+/// if the table is good.
 LightSettings read_light(const Table* light, std::optional<int> wavelengths, const CurveReader& read_curve);
 
 /// The [light] table that leads to these settings; a table of spectral power is written out in full.

@@ -25,18 +25,10 @@ const Value& required(const Table& table, std::string_view key, std::string_view
     return *value;
 }
 
-std::vector<double> read_measured_numbers(const Table& table, std::string_view key, const Value& value,
-                                          const Allowed& allowed) {
-    std::vector<double> numbers;
-    for (const Value& element : table.checked_array(key, value))
-        numbers.push_back(table.checked_number(key, element, allowed));
-    return numbers;
-}
-
 std::vector<double> read_ascending(const Table& table, std::string_view key, const Allowed& allowed,
                                    std::size_t least) {
     const Value& value = required(table, key, "give an array of numbers");
-    std::vector<double> numbers = read_measured_numbers(table, key, value, allowed);
+    std::vector<double> numbers = table.checked_numbers(key, value, allowed);
     if (numbers.size() < least || numbers.size() > most_values) {
         table.fail(value.where, std::string(key) + " has " + std::to_string(numbers.size()) + " numbers; allowed " +
                                     std::to_string(least) + " to " + std::to_string(most_values));
@@ -62,8 +54,7 @@ std::vector<double> read_rows(const Table& table, const MeasuredSpectra& spectra
     }
     std::vector<double> reflectance;
     for (const Value& element : list) {
-        const std::vector<double> row =
-            read_measured_numbers(table, "reflectance", element, allowed_measured_reflectance);
+        const std::vector<double> row = table.checked_numbers("reflectance", element, allowed_measured_reflectance);
         if (row.size() != wavelengths) {
             table.fail(element.where, "reflectance has " + std::to_string(row.size()) + " numbers in this row; give " +
                                           std::to_string(wavelengths) + ", one per wavelength_nm");

@@ -47,6 +47,19 @@ bool has_picks(const Table& table) {
                        [](const Table::Entry& entry) { return entry.key == "picks"; });
 }
 
+bool takes_picks(const MechanismReader& reader) {
+    return reader.search != nullptr || &reader == &palette_reader;
+}
+
+std::string mechanisms_with_picks() {
+    std::vector<std::string> known;
+    const std::vector<std::string> names = mechanism_names();
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        if (takes_picks(*all_readers[i])) known.push_back(names[i]);
+    }
+    return comma_separated(known);
+}
+
 }  // namespace
 
 const MechanismReader& reader_at(std::size_t index) {
@@ -70,8 +83,9 @@ ReadMechanism read_mechanism(const Table& table, const SceneContext& context) {
         search.start.effects = read_effects(table, search.start, context);
         return find_mechanism(table, context, std::move(search));
     }
-    if (reader.search == nullptr && found != names.begin() && has_picks(table)) {
-        table.fail_at("picks", "picks mean nothing for " + name + "; known for palette, film, stack, grating, crystal");
+    if (!takes_picks(reader) && has_picks(table)) {
+        table.skip("picks");
+        table.note_at("picks", "picks mean nothing for " + name + "; known for " + mechanisms_with_picks());
     }
     ReadMechanism read = reader.read(table, context);
     read.mechanism.effects = read_effects(table, read.mechanism, context);

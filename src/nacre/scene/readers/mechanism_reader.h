@@ -23,8 +23,8 @@ struct ReadMechanism {
     std::optional<MaterialSearch> search{};  ///< what picks of other mechanisms led to; the material's name is empty
 };
 
-/// Reads `mechanism`, that mechanism's keys, and its effects. Throws Error for anything that is wrong; the caller looks
-/// for unknown keys.
+/// Reads `mechanism`, that mechanism's keys, and its effects. Notes mistakes or throws SceneError; what comes back can
+/// be used only if the table is good. The caller looks for unknown keys.
 ReadMechanism read_mechanism(const Table& table, const SceneContext& context);
 
 /// Every numeric parameter that a mechanism has, in the order in which they are offered.

@@ -46,16 +46,15 @@ PalettePick read_pick(const Table& table, const PickReaders& readers) {
     PalettePick pick;
     pick.pick.angle_deg = table.number("angle_deg", allowed_pick_angle);
     pick.picked = read_picked_colour(table, readers.colour);
-    if (pick.picked) {
+    if (!pick.picked) pick.pick.lobe = read_lobe(table);
+    table.expect_all_read();
+    if (pick.picked && table.is_good()) {
         pick.picked->angle_deg = pick.pick.angle_deg;
         find_band(readers, *pick.picked);
         const LobeMatch& lobe = *pick.picked->lobe;
         pick.pick.lobe = {lobe.peak_nm, lobe.width_nm, lobe.height};
         pick.is_black = lobe.height == 0.0;
-    } else {
-        pick.pick.lobe = read_lobe(table);
     }
-    table.expect_all_read();
     return pick;
 }
 
@@ -82,20 +81,32 @@ std::optional<ShapeFit> fit_open_shape(const Table& table, const PickReaders& re
     return fit_shape(palette.picks, readers.lobe_colour);
 }
 
-ReadMechanism read_palette(const Table& table, const SceneContext& context) {
+// Notes mistakes; then some picks are missing.
+std::vector<PalettePick> read_picks(const Table& table, const PickReaders& readers) {
+    std::vector<PalettePick> picks;
     const Value* value = table.find("picks");
     if (value == nullptr) {
-        table.fail_missing("picks",
+        table.note_missing("picks",
                            "give one or more, each { angle_deg, colour } or { angle_deg, peak_nm, width_nm, height }");
+        return picks;
     }
-    std::vector<PalettePick> picks;
-    for (const Value& element : read_pick_list(table, *value))
-        picks.push_back(read_pick(table.checked_table("picks", element), context.picks));
-    take_shape_of_neighbours(picks);
+    attempt(table, value->where, [&] {
+        for (const Value& element : read_pick_list(table, *value)) {
+            attempt(table, element.where,
+                    [&] { picks.push_back(read_pick(table.checked_table("picks", element), readers)); });
+        }
+    });
+    return picks;
+}
+
+ReadMechanism read_palette(const Table& table, const SceneContext& context) {
+    std::vector<PalettePick> picks = read_picks(table, context.picks);
     Palette palette;
-    for (const PalettePick& pick : picks) palette.picks.push_back(pick.pick);
-    check_picks_differ(palette, table, value->where);
     palette.shape = table.number_or("shape", allowed_shape, Palette::default_shape);
+    if (!table.is_good()) return {std::move(palette)};
+    take_shape_of_neighbours(picks);
+    for (const PalettePick& pick : picks) palette.picks.push_back(pick.pick);
+    check_picks_differ(palette, table, table.find("picks")->where);
     const std::optional<ShapeFit> fit = fit_open_shape(table, context.picks, palette);
     if (fit) palette.shape = fit->shape;
     ReadMechanism read{std::move(palette), {}, fit, {}};
@@ -146,7 +157,7 @@ std::string palette_toml(const Mechanism& mechanism) {
 
 std::string palette_warning(const Mechanism& mechanism, const LightSettings&) {
     if (std::get<Palette>(mechanism).picks.size() != 1) return "";
-    return "one pick says nothing about other angles: the same colour at all of them";
+    return "one pick gives the same colour at every angle; add a pick at another angle";
 }
 
 // A palette whose picks differ must not pass through a state in which two of them share an angle.

@@ -1,6 +1,7 @@
 // A pick: a colour, or a band of reflectance, that a material has at an angle.
 #include "nacre/scene/readers/pick_reader.h"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <string>
@@ -51,6 +52,11 @@ const Value::Array& read_pick_list(const Table& table, const Value& picks) {
 
 Lobe read_lobe(const Table& pick) {
     Lobe lobe;
+    const auto is_given = [&](const LobeKey& key) { return pick.find(key.key) != nullptr; };
+    if (std::count_if(lobe_keys.begin(), lobe_keys.end(), is_given) == 0) {
+        pick.note_missing("colour", "give \"#rrggbb\", [r, g, b], or a band: peak_nm, width_nm, height");
+        return lobe;
+    }
     for (const LobeKey& key : lobe_keys) lobe.*key.member = pick.number(key.key, key.allowed);
     return lobe;
 }

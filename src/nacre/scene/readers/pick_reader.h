@@ -51,7 +51,7 @@ inline constexpr std::array lobe_keys{
 /// `picks` as an array of at least one and at most 100.
 const Value::Array& read_pick_list(const Table& table, const Value& picks);
 
-/// peak_nm, width_nm and height of a pick.
+/// peak_nm, width_nm and height of a pick without a colour. Notes mistakes.
 Lobe read_lobe(const Table& pick);
 
 /// Reads the colour of one pick: `colour` = "#rrggbb" or [r, g, b], and `space`. Components are finite and at most

@@ -67,12 +67,13 @@ void check_radius(const Table& table, const Scatter& scatter, const IndexReader&
     const std::string radius = "radius_nm = " + number_text(scatter.radius_nm);
     const std::string limit = number_text(std::floor(100.0 * largest_nm) / 100.0) + " nm";
     if (scatter.model == ScatterModel::rayleigh) {
-        table.fail_at("radius_nm", radius +
+        table.note_at("radius_nm", radius +
                                        " is no longer small beside the wavelength; use model = \"mie\", or a radius "
                                        "up to " +
                                        limit);
+        return;
     }
-    table.fail_at("radius_nm", radius + " makes spheres of size parameters above " +
+    table.note_at("radius_nm", radius + " makes spheres of size parameters above " +
                                    limit_text(largest_size_parameter(scatter.model)) + "; allowed is a radius up to " +
                                    limit + (scatter.radius_spread > 0.0 ? " with this radius_spread" : ""));
 }
@@ -86,18 +87,21 @@ void read_hard_radius(const Table& table, Scatter& scatter) {
     const Value* value = table.find("hard_radius_nm");
     if (value == nullptr) return;
     if (scatter.model != ScatterModel::quasi_ordered) {
-        table.fail(value->where, "hard_radius_nm means nothing for model " +
+        table.note(value->where, "hard_radius_nm means nothing for model " +
                                      std::string(name_of(model_words, scatter.model)) + "; known for quasi_ordered");
+        return;
     }
     scatter.hard_radius_nm = table.checked_number("hard_radius_nm", *value, allowed_radius);
+    if (!table.is_good()) return;
     if (scatter.hard_radius_nm < scatter.radius_nm) {
-        table.fail(value->where, "hard_radius_nm = " + value->text() +
+        table.note(value->where, "hard_radius_nm = " + value->text() +
                                      " is inside the particle; allowed is radius_nm, " +
                                      number_text(scatter.radius_nm) + " nm, or more");
+        return;
     }
     if (hard_fraction(scatter) > allowed_fraction.high) {
         const double largest_nm = scatter.radius_nm * std::cbrt(allowed_fraction.high / scatter.volume_fraction);
-        table.fail(value->where, "hard spheres of " + value->text() + " nm fill " +
+        table.note(value->where, "hard spheres of " + value->text() + " nm fill " +
                                      significant_text(hard_fraction(scatter), 4) +
                                      " of the volume, volume_fraction * (hard_radius_nm / radius_nm)^3; allowed is " +
                                      number_text(allowed_fraction.high) + ", a hard_radius_nm up to " +
@@ -146,7 +150,7 @@ ReadMechanism read_scatter(const Table& table, const SceneContext& context) {
     scatter.medium = read_clear_medium(table, "medium", index, "no light gets to the particles");
     scatter.radius_nm = table.number("radius_nm", allowed_radius);
     scatter.radius_spread = table.number_or("radius_spread", allowed_radius_spread, 0.0);
-    check_radius(table, scatter, index);
+    if (table.is_good()) check_radius(table, scatter, index);
     if (scatter.model == ScatterModel::quasi_ordered) scatter.volume_fraction = default_quasi_ordered_fraction;
     scatter.volume_fraction = table.number_or("volume_fraction", allowed_fraction, scatter.volume_fraction);
     read_hard_radius(table, scatter);

@@ -32,8 +32,6 @@ struct WantedPick {
 };
 
 PickedColour read_band(const Table& pick, const PickReaders& readers) {
-    if (pick.find("peak_nm") == nullptr)
-        pick.fail_missing("colour", "give \"#rrggbb\", [r, g, b], or a band: peak_nm, width_nm, height");
     const Lobe lobe = read_lobe(pick);
     PickedColour picked;
     picked.text = "a band of " + number_text(lobe.peak_nm) + " nm, " + number_text(lobe.width_nm) + " nm wide, " +
@@ -51,7 +49,7 @@ Geometry read_place(const Table& pick, Quantity quantity, double& angle_deg) {
     const Value* u = pick.find("grating_u");
     const Value* angle = pick.find("angle_deg");
     if (u != nullptr && angle != nullptr)
-        pick.fail(u->where, "angle_deg and grating_u both say where the colour is seen; leave one of them out");
+        pick.fail(u->where, "angle_deg and grating_u both say where the colour is seen; remove one of them");
     if (u == nullptr) {
         // Light along the normal.
         angle_deg = pick.number("angle_deg", allowed_pick_angle);
@@ -102,14 +100,17 @@ std::vector<WantedPick> read_wanted_picks(const Table& table, const SceneContext
         return read_measured_colours(table.checked_table("picks", picks), context, start);
     std::vector<WantedPick> wanted;
     for (const Value& element : read_pick_list(table, picks)) {
-        wanted.push_back(read_wanted_pick(table.checked_table("picks", element), context.picks, quantity_of(start)));
+        attempt(table, element.where, [&] {
+            const Table& pick = table.checked_table("picks", element);
+            wanted.push_back(read_wanted_pick(pick, context.picks, quantity_of(start)));
+        });
     }
     return wanted;
 }
 
 void refuse_what_picks_exclude(const Table& table, const Effects& effects) {
     const auto refuse = [&](std::string_view key, const std::string& why) {
-        table.fail_at(key, std::string(key) + " and picks: " + why + "; leave one of them out");
+        table.note_at(key, std::string(key) + " and picks: " + why + "; remove one of them");
     };
     if (effects.tilt_deg > 0.0) refuse("tilt_deg", "picks are met by even surfaces, and facets blur what was met");
     if (effects.both_polarisations)
@@ -121,6 +122,9 @@ void refuse_what_picks_exclude(const Table& table, const Effects& effects) {
 ReadMechanism find_mechanism(const Table& table, const SceneContext& context, MechanismSearch search) {
     refuse_what_picks_exclude(table, search.start.effects);
     std::vector<WantedPick> picks = read_wanted_picks(table, context, search.start);
+    // A search takes seconds: it does not begin while there is a mistake.
+    table.expect_all_read();
+    if (!table.is_good()) return {std::move(search.start)};
     const std::string_view name = mechanism_name(search.start);
     if (!context.find_mechanisms) {
         throw Error(table.where().text() + ": picks of a " + std::string(name) +

@@ -50,22 +50,28 @@ std::vector<Layer> read_form(const Table& table, const IndexReader& index, Stack
     if (form == StackForm::lamellae) return read_lamellae(table, index);
     const Value* layers = table.find("layers");
     if (layers == nullptr) {
-        table.fail_missing("layers", "give [ { index, thickness_nm }, ... ] in the order in which light meets them");
+        table.note_missing("layers", "give [ { index, thickness_nm }, ... ] in the order in which light meets them");
+        return {};
     }
-    return read_layers(table, *layers, index);
+    std::vector<Layer> read;
+    attempt(table, layers->where, [&] { read = read_layers(table, *layers, index); });
+    return read;
 }
 
 Stack stack_of(const Table& table, const IndexReader& index) {
     Stack stack;
     stack.incident = read_incident(table, index);
-    const StackForm form = read_word(table, "form", "form", form_words);
+    const Value* word = table.find("form");
+    const StackForm form = word == nullptr
+                               ? StackForm::layers
+                               : meaning_of(form_words, "form", table.checked_text("form", *word), table, word->where);
     stack.layers = read_form(table, index, form);
     stack.substrate = index.read_or(table, "substrate", stack.incident);
     stack.thickness_spread_nm = read_spread(table);
     const double layers = expanded_layers(stack.layers);
     const double most = stack.thickness_spread_nm > 0.0 ? most_irregular_layers : most_layers;
-    if (layers > most) {
-        table.fail_at(form == StackForm::lamellae ? "films" : "layers",
+    if (layers > most && table.is_good()) {
+        table.note_at(form == StackForm::lamellae ? "films" : "layers",
                       "the stack has " + limit_text(layers) + " layers, repeats counted; allowed " + limit_text(most) +
                           (most == most_layers ? "" : " with thickness_spread_nm"));
     }

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <memory>
 #include <string>
@@ -9,10 +8,10 @@
 #include "cli/commands.h"
 #include "cli/common_options.h"
 #include "cli/found_report.h"
+#include "cli/measured_report.h"
 #include "cli/pick_words.h"
 #include "cli/picked_swatch.h"
 #include "cli/scenes.h"
-#include "cli/text_table.h"
 #include "io/scene/spectra_csv.h"
 #include "nacre/base/error.h"
 #include "nacre/base/text.h"
@@ -35,19 +34,21 @@ constexpr const char* scene_name = "picks";
 // More than any search returns, and than a palette of measured spectra can use.
 constexpr double most_counted = 100;
 
-// Nobody wrote that scene: its places mean nothing.
+// Nobody wrote that scene: its lines mean nothing. A message of several mistakes has a line for each.
 std::string without_places(const std::string& message) {
-    std::string result;
+    const std::string file = std::string(scene_name) + ":";
+    std::string rest;
     for (std::size_t begin = 0; begin <= message.size();) {
         const std::size_t end = std::min(message.find('\n', begin), message.size());
         std::string line = message.substr(begin, end - begin);
-        const std::size_t place =
-            line.rfind(std::string(scene_name) + ":", 0) == 0 ? line.find(": ") : std::string::npos;
+        const std::size_t place = line.starts_with(file) ? line.find(": ") : std::string::npos;
         if (place != std::string::npos) line.erase(0, place + 2);
-        result += (begin == 0 ? "" : "\n") + line;
+        // Picks often share a mistake, and without its places it is the same line.
+        const bool is_new = ("\n" + rest + "\n").find("\n" + line + "\n") == std::string::npos;
+        if (is_new) rest += (rest.empty() ? "" : "\n") + line;
         begin = end + 1;
     }
-    return result;
+    return rest;
 }
 
 Plan plan_of(const std::string& scene, const PickOptions& options, Console& console) {
@@ -137,34 +138,6 @@ std::string answers_comment(const MaterialSearch& search, std::size_t chosen) {
     return text;
 }
 
-// Of spectra that were measured: how the answer compares with them.
-std::string comparison(const std::string& file, const std::string& what, const std::vector<AngleFit>& angles) {
-    std::vector<std::vector<std::string>> rows{{"angle", "measured peak", "its peak", "error", "dE00"}};
-    for (const AngleFit& angle : angles) {
-        const bool has_peak = std::isfinite(angle.peak_nm);
-        rows.push_back({number_text(angle.angle_deg) + " deg", fixed_text(angle.measured_peak_nm, 1) + " nm",
-                        has_peak ? fixed_text(angle.peak_nm, 1) + " nm" : "none",
-                        has_peak ? fixed_text(angle.peak_nm - angle.measured_peak_nm, 1) + " nm" : "",
-                        significant_text(angle.de00, 3)});
-    }
-    std::string text = "# " + file + ", and this " + what + ":\n";
-    for (const std::string& line : table_lines(rows, {true, true, true, true, true})) text += "#   " + line + "\n";
-    return text;
-}
-
-Json angles_json(const std::vector<AngleFit>& angles) {
-    Json json = Json::array();
-    for (const AngleFit& angle : angles) {
-        const bool has_peak = std::isfinite(angle.peak_nm);
-        Json one{{"angle_deg", angle.angle_deg}, {"measured_peak_nm", angle.measured_peak_nm}};
-        one["peak_nm"] = has_peak ? Json(angle.peak_nm) : Json();
-        one["peak_error_nm"] = has_peak ? Json(angle.peak_nm - angle.measured_peak_nm) : Json();
-        one["de00"] = angle.de00;
-        json.push_back(one);
-    }
-    return json;
-}
-
 void pick_mechanism(const PickOptions& options, Console& console) {
     std::vector<PickLine> lines = pick_lines(options);
     const bool is_measured = !options.measured.empty();
@@ -192,7 +165,7 @@ void pick_mechanism(const PickOptions& options, Console& console) {
     std::string comments = answers_comment(search, chosen);
     if (is_measured) {
         const auto angles = compare_with_measured(read_spectra_csv(options.measured), answer.materials.front());
-        comments = comparison(options.measured, options.mechanism, angles) + comments;
+        comments = comparison_comment(options.measured, options.mechanism, angles) + comments;
         json["angles"] = angles_json(angles);
     }
     // Of measurements the comparison says it all.
@@ -212,7 +185,7 @@ void pick_measured_palette(const PickOptions& options, Console& console) {
                     std::to_string(spectra.angle_deg.size()) + " angles");
     }
     const PaletteFit fit = fit_readable_palette(spectra, count);
-    const std::string comments = comparison(options.measured, "palette", fit.angles);
+    const std::string comments = comparison_comment(options.measured, "palette", fit.angles);
     print(options, Json{{"error", fit.error}, {"angles", angles_json(fit.angles)}},
           scene_text({options.name, mechanism_toml(Mechanism(fit.palette)), "", comments, false}), console);
 }

@@ -9,7 +9,7 @@
 namespace nacre {
 namespace {
 
-constexpr std::string_view blanks = " \t\r";
+constexpr std::string_view line_blanks = " \t\r";
 constexpr std::size_t longest_shown = 100;  // of a line, in messages
 
 bool is_digit(char c) {
@@ -30,10 +30,10 @@ std::string_view taken_while(std::string_view text, Is is) {
     return text.substr(0, static_cast<std::size_t>(std::find_if_not(text.begin(), text.end(), is) - text.begin()));
 }
 
-std::string_view trimmed(std::string_view text) {
-    const std::size_t begin = text.find_first_not_of(blanks);
+std::string_view without_blanks(std::string_view text) {
+    const std::size_t begin = text.find_first_not_of(line_blanks);
     if (begin == std::string_view::npos) return {};
-    return text.substr(begin, text.find_last_not_of(blanks) - begin + 1);
+    return text.substr(begin, text.find_last_not_of(line_blanks) - begin + 1);
 }
 
 // What stands on the two sides of an equals sign; the value goes to the end of the line.
@@ -42,12 +42,12 @@ struct Assignment {
     std::string_view value;
 };
 std::optional<Assignment> assignment_at(std::string_view line, std::size_t equals) {
-    const std::string_view left = trimmed(line.substr(0, equals));
+    const std::string_view left = without_blanks(line.substr(0, equals));
     std::size_t begin = left.size();
     while (begin > 0 && is_bare(left[begin - 1])) --begin;
     const std::string_view key = left.substr(begin);
     if (key.empty() || key.size() > longest_shown) return {};
-    return Assignment{key, trimmed(line.substr(equals + 1))};
+    return Assignment{key, without_blanks(line.substr(equals + 1))};
 }
 
 std::string instead(const Assignment& wrong, std::string_view wrong_value, const std::string& right_value) {
@@ -125,7 +125,7 @@ bool is_utf16(std::string_view bytes) {
 }
 
 std::string toml_hint(std::string_view line, std::string_view message) {
-    const std::string_view content = trimmed(line);
+    const std::string_view content = without_blanks(line);
     std::string hint = hint_of_quotes(content);
     if (hint.empty()) hint = hint_of_assignments(content);
     if (!hint.empty()) return hint;

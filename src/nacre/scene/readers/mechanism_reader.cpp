@@ -55,7 +55,7 @@ std::string mechanisms_with_picks() {
     std::vector<std::string> known;
     const std::vector<std::string> names = mechanism_names();
     for (std::size_t i = 0; i < names.size(); ++i) {
-        if (takes_picks(*all_readers[i])) known.push_back(names[i]);
+        if (takes_picks(reader_at(i))) known.push_back(names[i]);
     }
     return comma_separated(known);
 }
@@ -84,8 +84,7 @@ ReadMechanism read_mechanism(const Table& table, const SceneContext& context) {
         return find_mechanism(table, context, std::move(search));
     }
     if (!takes_picks(reader) && has_picks(table)) {
-        table.skip("picks");
-        table.note_at("picks", "picks mean nothing for " + name + "; known for " + mechanisms_with_picks());
+        table.fail_at("picks", "picks mean nothing for " + name + "; known for " + mechanisms_with_picks());
     }
     ReadMechanism read = reader.read(table, context);
     read.mechanism.effects = read_effects(table, read.mechanism, context);

@@ -356,7 +356,7 @@ INSTANTIATE_TEST_SUITE_P(
                 2,
                 "picks mean nothing for measured"},
         Mistake{"BrokenToml", with(blue_film, {"--with", "index ="}), 2, "not TOML"},
-        Mistake{"UnknownKey", with(blue_film, {"--with", "indx = 1.3"}), 2, "unknown key \"indx\"; known: "},
+        Mistake{"UnknownKey", with(blue_film, {"--with", "indx = 1.3"}), 2, "unknown key \"indx\"; did you mean index?"},
         Mistake{"UnknownMaterial", with(blue_film, {"--with", "index = \"watr\""}), 2, "watr"},
         Mistake{"NoSuchAnswer", with(blue_film, {"--choose", "99"}), 2, "--choose 99: there are "},
         Mistake{"AnswerNought", with(blue_film, {"--choose", "0"}), 2, "--choose"},

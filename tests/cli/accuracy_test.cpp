@@ -190,7 +190,7 @@ TEST(Plan, IsATableOfWhatWillBeBakedAndWritesNothing) {
     EXPECT_TRUE(errors.front().starts_with("errors of one: interpolation 0.")) << errors.front();
     EXPECT_NE(errors.front().find(", storage 0."), std::string::npos) << errors.front();
     EXPECT_EQ(one.find("one  sqrt_cos_theta"), 0U) << one;
-    EXPECT_NE(one.find("128 x 1  half    fast        0.40 of 0.5"), std::string::npos) << one;
+    EXPECT_NE(one.find("128 x 1  half    exact       0.40 of 0.5"), std::string::npos) << one;
     EXPECT_NE(two.find("height 0 to 1"), std::string::npos) << two;
     const std::string every =
         ": dispersion, absorption, polarisation, incoherent_layers, thickness_spread, base, tilt, higher_orders, "

@@ -51,7 +51,8 @@ Effort::Effort(const Job& job) {
     if (!job.y) return;
     constexpr double fewest = 1 << 13;  // 128 x 64 (empirical)
     const auto most = static_cast<double>(most_texels_);
-    most_texels_ = static_cast<std::int64_t>(std::clamp(effort_share_of_lut * most_search_effort / per_texel, fewest, most));
+    most_texels_ =
+        static_cast<std::int64_t>(std::clamp(effort_share_of_lut * most_search_effort / per_texel, fewest, most));
 }
 
 bool Effort::is_spent(const Work& work) const {

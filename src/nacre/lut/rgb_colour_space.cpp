@@ -30,8 +30,8 @@ glm::dmat3 rounded(glm::dmat3 matrix) {
 }
 
 glm::dmat3 matrix_of(const RgbPrimaries& primaries) {
-    const glm::dmat3 to_white = adaptation_matrix(Adaptation::bradford, d65_white,
-                                                  xyz_from_chromaticity(primaries.white));
+    const glm::dmat3 to_white =
+        adaptation_matrix(Adaptation::bradford, d65_white, xyz_from_chromaticity(primaries.white));
     return rounded(xyz_to_rgb_matrix(primaries) * to_white);
 }
 

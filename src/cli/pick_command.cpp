@@ -121,7 +121,7 @@ void pick_palette(const PickOptions& options, Console& console) {
     // Of a scene that nobody has seen, no lines are named.
     if (lines.size() == 1)
         console.warning(options.picks.front() +
-                        ": one pick says nothing about other angles: the same colour at all of them");
+                        ": one pick gives the same colour at every angle; add a pick at another angle");
     judge(options, picked, console);
     print(options, Json{{"picked", picked_list(picked)}},
           scene_text({options.name, material, picks_toml(lines), "", true}), console);

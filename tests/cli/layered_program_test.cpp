@@ -63,7 +63,7 @@ TEST(BadLayersOfTheProgram, AreToldWithExitCodeTwoAndNothingIsWritten) {
         {film_with("\"late.csv\""),
          "s.toml:3:9 [material.f]: \"late.csv\" is known from 450 to 900 nm, and the light needs 360 to 830 nm; narrow "
          "[light] range_nm, or write outside = \"hold\" to go on with its end values"},
-        {film_with("\"no.yml\""), "no.yml:1: a key is not a word; allowed: words"},
+        {film_with("\"no.yml\""), "no.yml:1: a key is not a word; a key must be a word"},
         {std::string(good_film) + "[accuracy]\nnodes = [16, 32]\n",
          "s.toml:6:9 [accuracy]: nodes has 2 numbers; give one, or 4: for angles up to 72.5, 87.1, 89.8 and 90 "
          "degrees"}};

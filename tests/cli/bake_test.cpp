@@ -359,7 +359,7 @@ void expect_alike(const std::filesystem::path& shipped, const std::filesystem::p
         << shipped << ": run ./run bake configs/scenes/*.toml -o luts";
 }
 
-TEST(Bake, ShippedLutsAreWhatTheirScenesMake) {
+TEST(ShippedLuts, AreWhatTheirScenesMake) {
     const TemporaryFolder folder;
     const std::string root = NACRE_SOURCE_DIR;
     std::vector<std::string> arguments{"bake", "-o", folder.path().string()};

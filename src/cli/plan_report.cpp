@@ -30,9 +30,9 @@ std::string axis_text(const Axis& axis) {
     return axis.parameter.name + " " + number_text(axis.from) + " to " + number_text(axis.to);
 }
 
-std::string bound_text(const SettledLut& settled) {
-    if (!settled.lut.wish.has_bound) return short_number(settled.predicted.total);
-    return short_number(settled.predicted.total) + " of " + number_text(settled.lut.wish.max_de00);
+std::string bound_text(const ChosenLut& chosen) {
+    if (!chosen.lut.wish.has_bound) return short_number(chosen.predicted.total);
+    return short_number(chosen.predicted.total) + " of " + number_text(chosen.lut.wish.max_de00);
 }
 
 // The fitted shape of a palette, and what the paper's straight lines would make of each pick.
@@ -73,18 +73,18 @@ void add_picks(Json& json, const Plan& plan, const std::string& name) {
 }
 
 void add_accuracy(Json& json, const DecidedLut& task) {
-    const SettledLut& settled = task.lut;
-    const AccuracyWish& wish = settled.lut.wish;
+    const ChosenLut& chosen = task.lut;
+    const AccuracyWish& wish = chosen.lut.wish;
     json["max_de00"] = wish.has_bound ? Json(wish.max_de00) : Json();
     json["predicted"] = Json();
     if (task.scene->space->has_inverse()) {
-        json["predicted"] = {{"de00", settled.predicted.total},      {"spectrum", settled.predicted.spectrum},
-                             {"spread", settled.predicted.spread},   {"quadrature", settled.predicted.quadrature},
-                             {"effects", settled.predicted.effects}, {"interpolation", settled.predicted.interpolation},
-                             {"storage", settled.predicted.storage}};
+        json["predicted"] = {{"de00", chosen.predicted.total},      {"spectrum", chosen.predicted.spectrum},
+                             {"spread", chosen.predicted.spread},   {"quadrature", chosen.predicted.quadrature},
+                             {"effects", chosen.predicted.effects}, {"interpolation", chosen.predicted.interpolation},
+                             {"storage", chosen.predicted.storage}};
     }
-    json["reached"] = settled.is_reached || !wish.has_bound;
-    if (!settled.obstacle.empty()) json["obstacle"] = settled.obstacle;
+    json["reached"] = chosen.is_reached || !wish.has_bound;
+    if (!chosen.obstacle.empty()) json["obstacle"] = chosen.obstacle;
 }
 
 }  // namespace
@@ -93,11 +93,11 @@ std::vector<std::string> plan_lines(const std::vector<PlanRow>& rows) {
     std::vector<std::vector<std::string>> cells{
         {"LUT", "axes", "texels", "format", "integral", "expected dE00", "bake time"}};
     for (const PlanRow& row : rows) {
-        const SettledLut& settled = row.lut->lut;
-        const Job& job = settled.lut.job;
-        cells.push_back({settled.lut.name, axis_text(job.x) + (job.y ? ", " + axis_text(*job.y) : ""), size_text(job),
-                         std::string(name_of(format_words, settled.lut.format)), integration_text(job),
-                         row.lut->scene->space->has_inverse() ? bound_text(settled) : "unknown",
+        const ChosenLut& chosen = row.lut->lut;
+        const Job& job = chosen.lut.job;
+        cells.push_back({chosen.lut.name, axis_text(job.x) + (job.y ? ", " + axis_text(*job.y) : ""), size_text(job),
+                         std::string(name_of(format_words, chosen.lut.format)), integration_text(job),
+                         row.lut->scene->space->has_inverse() ? bound_text(chosen) : "unknown",
                          duration_text(row.seconds)});
     }
     return table_lines(cells, {false, false, true, false, false, true, true});
@@ -131,8 +131,8 @@ std::vector<std::string> error_lines(const DecidedLut& task) {
 
 Json plan_json(const PlanRow& row) {
     const DecidedLut& task = *row.lut;
-    const SettledLut& settled = task.lut;
-    const PlannedLut& lut = settled.lut;
+    const ChosenLut& chosen = task.lut;
+    const PlannedLut& lut = chosen.lut;
     const Job& job = lut.job;
     Json json{{"scene", task.scene->path}, {"lut", lut.name}, {"material", job.material.name}};
     json["mechanism"] = mechanism_name(job.material.mechanism);
@@ -145,7 +145,7 @@ Json plan_json(const PlanRow& row) {
     add_picks(json, task.scene->plan, job.material.name);
     add_accuracy(json, task);
     json["seconds"] = {{"deciding", task.seconds}, {"baking", row.seconds}};
-    json["work"] = {{"deciding", work_json(settled.work)}, {"baking", work_json(bake_work(job, settled.worst.size()))}};
+    json["work"] = {{"deciding", work_json(chosen.work)}, {"baking", work_json(bake_work(job, chosen.worst.size()))}};
     json["files"] = output_files(lut);
     json["effects"] = effects_json(row.effects);
     return json;

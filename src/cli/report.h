@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "nacre/accuracy/settle.h"
+#include "nacre/accuracy/choose_lut.h"
 #include "nacre/shade/work.h"
 #include "pipeline/json.h"
 
@@ -18,6 +18,6 @@ std::string duration_text(double seconds);
 Json work_json(const Work& work);
 
 /// What a user who asked for more than there is should know: the best that was reached, and what stands in the way.
-std::string out_of_reach(const SettledLut& lut);
+std::string out_of_reach(const ChosenLut& lut);
 
 }  // namespace nacre

@@ -62,7 +62,7 @@ bool writes(const PlannedLut& lut, LutOutput output) {
 
 // What the measured error says about the bound, in the outcome's words.
 void judge_bound(const BakeTask& task, const BakeTarget& target, BakeOutcome& outcome) {
-    const SettledLut& decided = task.decided->lut;
+    const ChosenLut& decided = task.decided->lut;
     const AccuracyWish& wish = decided.lut.wish;
     if (!outcome.baked.reached || *outcome.baked.reached <= wish.max_de00) return;
     const std::string error =
@@ -79,7 +79,7 @@ void judge_bound(const BakeTask& task, const BakeTarget& target, BakeOutcome& ou
 
 BakeOutcome bake_one_lut(const BakeTask& task, const BakeTarget& target, const Execution& execution) {
     const LoadedScene& scene = *task.scene;
-    const SettledLut& decided = task.decided->lut;
+    const ChosenLut& decided = task.decided->lut;
     const double begin = thread_seconds();
     BakeOutcome outcome;
     outcome.baked = bake_lut(decided, scene.plan, scene.source, *scene.space, execution.step);

@@ -41,9 +41,9 @@ Encoding lut_encoding(const ColourSpace& space, Gamut gamut) {
     return encoding;
 }
 
-BakedLut bake_lut(const SettledLut& settled, const Plan& plan, const ColourSource& source, const ColourSpace& space,
+BakedLut bake_lut(const ChosenLut& chosen, const Plan& plan, const ColourSource& source, const ColourSpace& space,
                   const AfterRow& after_row) {
-    const PlannedLut& lut = settled.lut;
+    const PlannedLut& lut = chosen.lut;
     BakedLut baked;
     const Image<Xyz> xyz = bake(lut.job, after_row, &baked.work);
     baked.image = space.to_rgb(xyz);
@@ -57,14 +57,14 @@ BakedLut bake_lut(const SettledLut& settled, const Plan& plan, const ColourSourc
     baked.left = gamut_report(baked.image);
     const Encoding encoding = lut_encoding(space, plan.colour.gamut);
     if (encoding.to_xyz) {
-        const Measured measured = measure(lut.job, baked.image, encoding, settled.worst);
-        baked.reached = rounded_up(measured.reached + settled.predicted.spread);
+        const Measured measured = measure(lut.job, baked.image, encoding, chosen.worst);
+        baked.reached = rounded_up(measured.reached + chosen.predicted.spread);
         baked.work += measured.work;
     }
     if (const SceneMaterial* material = find_material(plan, lut.job.material.name)) baked.picked = material->picked;
     if (const auto* palette = std::get_if<Palette>(&lut.job.material.mechanism))
         baked.clamped = palette_clamp_bounds(*palette);
-    baked.header = lut_header(settled, plan.colour, source, space, baked);
+    baked.header = lut_header(chosen, plan.colour, source, space, baked);
     return baked;
 }
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "io/image/lut_file.h"
-#include "nacre/accuracy/settle.h"
+#include "nacre/accuracy/choose_lut.h"
 #include "nacre/lut/bake.h"
 #include "nacre/lut/colour_space.h"
 #include "nacre/lut/encoding.h"
@@ -23,7 +23,7 @@ struct BakedLut {
     LutHeader header;
     std::optional<double>
         reached;        ///< largest error found, rounded up to three digits; nothing where it cannot be known
-    Work work;          ///< baking and measuring; settling not counted
+    Work work;          ///< baking and measuring, without choosing
     GamutReport gamut;  ///< before [colour] gamut was applied
     GamutReport left;   ///< after it, of the numbers as stored
     std::vector<PickedColour> picked;  ///< of the material's picks those that were given as colours
@@ -43,7 +43,7 @@ Encoding lut_encoding(const ColourSpace& space, Gamut gamut);
 /// XYZ of every texel, through the colour space and the gamut's rule, measured, with its header.
 /// @param plan  of the scene that the LUT is from: its colour settings, and what picks became
 /// Throws Error if the space or the format cannot hold the colours.
-BakedLut bake_lut(const SettledLut& lut, const Plan& plan, const ColourSource& source, const ColourSpace& space,
+BakedLut bake_lut(const ChosenLut& lut, const Plan& plan, const ColourSource& source, const ColourSpace& space,
                   const AfterRow& after_row = {});
 
 }  // namespace nacre

@@ -14,7 +14,7 @@ void decide(DecidedLut& task, const Execution& execution) {
     const double begin = thread_seconds();
     try {
         const LoadedScene& scene = *task.scene;
-        task.lut = settle(*task.asked, lut_encoding(*scene.space, scene.plan.colour.gamut), execution.step);
+        task.lut = choose_lut(*task.asked, lut_encoding(*scene.space, scene.plan.colour.gamut), execution.step);
     } catch (const IoError&) {
         throw;
     } catch (const Error& error) {

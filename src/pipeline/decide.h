@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "nacre/accuracy/settle.h"
+#include "nacre/accuracy/choose_lut.h"
 #include "nacre/lut/planned_lut.h"
 #include "pipeline/execution.h"
 #include "pipeline/loaded_scene.h"
@@ -15,7 +15,7 @@ namespace nacre {
 struct DecidedLut {
     const LoadedScene* scene = nullptr;
     const PlannedLut* asked = nullptr;
-    SettledLut lut;
+    ChosenLut lut;
     double seconds = 0.0;  ///< what deciding took, of one thread
     std::string failure;   ///< why nothing could be decided; empty if it could
 

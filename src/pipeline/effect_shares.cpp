@@ -38,12 +38,12 @@ Job with_effect(Job job, Effect effect) {
 
 }  // namespace
 
-std::vector<EffectShare> effect_shares(const SettledLut& settled, const Execution& execution) {
-    const Job& job = settled.lut.job;
+std::vector<EffectShare> effect_shares(const ChosenLut& chosen, const Execution& execution) {
+    const Job& job = chosen.lut.job;
     std::vector<EffectShare> effects;
-    if (settled.effects.empty()) return effects;
+    if (chosen.effects.empty()) return effects;
     const double whole = bake_seconds(job, execution);
-    for (const EffectChoice& choice : settled.effects) {
+    for (const EffectChoice& choice : chosen.effects) {
         EffectShare& share = effects.emplace_back(EffectShare{choice, 0.0});
         const double other = choice.is_simulated ? bake_seconds(without_effect(job, choice.effect), execution)
                                                  : bake_seconds(with_effect(job, choice.effect), execution);

@@ -2,8 +2,8 @@
 
 #include <vector>
 
+#include "nacre/accuracy/choose_lut.h"
 #include "nacre/accuracy/choose_sampling.h"
-#include "nacre/accuracy/settle.h"
 #include "pipeline/execution.h"
 
 namespace nacre {
@@ -17,6 +17,6 @@ struct EffectShare {
 
 /// The material's effects, simulated ones first, and of these the slowest first: found by baking a piece of the LUT
 /// with and without each.
-std::vector<EffectShare> effect_shares(const SettledLut& lut, const Execution& execution);
+std::vector<EffectShare> effect_shares(const ChosenLut& lut, const Execution& execution);
 
 }  // namespace nacre

@@ -85,10 +85,10 @@ void add_light(Attributes& header, const Job& job) {
     header.emplace_back("integration", integration_text(job));
 }
 
-void add_accuracy(Attributes& header, const SettledLut& settled, const BakedLut& baked) {
-    const AccuracyWish& wish = settled.lut.wish;
+void add_accuracy(Attributes& header, const ChosenLut& chosen, const BakedLut& baked) {
+    const AccuracyWish& wish = chosen.lut.wish;
     if (!baked.picked.empty()) header.emplace_back("picked", picked_text(baked.picked));
-    if (!settled.effects.empty()) header.emplace_back("effects", effects_text(settled.effects));
+    if (!chosen.effects.empty()) header.emplace_back("effects", effects_text(chosen.effects));
     header.emplace_back("accuracyAsked", wish.has_bound ? number_text(wish.max_de00) : "none");
     header.emplace_back("accuracyReached", baked.reached ? number_text(*baked.reached) : "unknown");
 }
@@ -110,7 +110,7 @@ void add_colour(Attributes& header, Gamut gamut, const ColourSource& source, con
 
 }  // namespace
 
-LutHeader lut_header(const SettledLut& settled, const ColourSettings& colour, const ColourSource& source,
+LutHeader lut_header(const ChosenLut& chosen, const ColourSettings& colour, const ColourSource& source,
                      const ColourSpace& space, const BakedLut& baked) {
     LutHeader header;
     header.software = "nacre " + std::string(nacre_version());
@@ -118,11 +118,11 @@ LutHeader lut_header(const SettledLut& settled, const ColourSettings& colour, co
     header.chromaticities = chromaticities_of(space);
     Attributes& attributes = header.nacre;
     attributes.emplace_back("version", std::string(nacre_version()));
-    add_job(attributes, settled.lut);
-    add_light(attributes, settled.lut.job);
-    add_accuracy(attributes, settled, baked);
+    add_job(attributes, chosen.lut);
+    add_light(attributes, chosen.lut.job);
+    add_accuracy(attributes, chosen, baked);
     add_colour(attributes, colour.gamut, source, space, baked);
-    const std::string scene = scene_toml(settled.lut, colour);
+    const std::string scene = scene_toml(chosen.lut, colour);
     attributes.emplace_back("scene", scene);
     attributes.emplace_back("sceneHash", hash_text(scene));
     return header;

@@ -64,13 +64,13 @@ void add_light(Json& json, const LightSettings& light, const LutHeader& header) 
                      {"integration", header.value("integration")}};
 }
 
-void add_accuracy(Json& json, const SettledLut& settled, const BakedLut& baked) {
-    const AccuracyWish& wish = settled.lut.wish;
+void add_accuracy(Json& json, const ChosenLut& chosen, const BakedLut& baked) {
+    const AccuracyWish& wish = chosen.lut.wish;
     Json& accuracy = json["accuracy"];
     accuracy["max_de00"] = wish.has_bound ? Json(wish.max_de00) : Json();
-    accuracy["predicted"] = baked.reached ? Json(rounded_up(settled.predicted.total)) : Json();
+    accuracy["predicted"] = baked.reached ? Json(rounded_up(chosen.predicted.total)) : Json();
     accuracy["reached"] = baked.reached ? Json(*baked.reached) : Json();
-    for (const EffectChoice& choice : settled.effects) {
+    for (const EffectChoice& choice : chosen.effects) {
         Json effect{{"effect", row_of(choice.effect).name},
                     {"state", choice.is_simulated ? "simulated"
                               : choice.is_given   ? "left out"
@@ -103,12 +103,12 @@ Json picked_json(const PickedColour& picked) {
     return json;
 }
 
-Json manifest_json(const SettledLut& settled, const BakedLut& baked) {
+Json manifest_json(const ChosenLut& chosen, const BakedLut& baked) {
     Json json{{"nacre", nacre_version()}};
-    add_texture(json, settled.lut);
+    add_texture(json, chosen.lut);
     add_colour(json, baked);
-    add_light(json, settled.lut.job.light->settings, baked.header);
-    add_accuracy(json, settled, baked);
+    add_light(json, chosen.lut.job.light->settings, baked.header);
+    add_accuracy(json, chosen, baked);
     for (const PickedColour& picked : baked.picked) json["picked"].push_back(picked_json(picked));
     if (baked.clamped.below_deg) json["clamped_below_deg"] = rounded_angle(*baked.clamped.below_deg);
     if (baked.clamped.above_deg) json["clamped_above_deg"] = rounded_angle(*baked.clamped.above_deg);
@@ -117,8 +117,8 @@ Json manifest_json(const SettledLut& settled, const BakedLut& baked) {
     return json;
 }
 
-std::string manifest_text(const SettledLut& settled, const BakedLut& baked) {
-    return manifest_json(settled, baked).text() + "\n";
+std::string manifest_text(const ChosenLut& chosen, const BakedLut& baked) {
+    return manifest_json(chosen, baked).text() + "\n";
 }
 
 }  // namespace nacre

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "nacre/accuracy/settle.h"
+#include "nacre/accuracy/choose_lut.h"
 #include "nacre/lut/axis.h"
 #include "nacre/pick/picked_colour.h"
 #include "pipeline/baked_lut.h"
@@ -11,10 +11,10 @@
 namespace nacre {
 
 /// What tools should know about a LUT. No date, host or path.
-Json manifest_json(const SettledLut& lut, const BakedLut& baked);
+Json manifest_json(const ChosenLut& lut, const BakedLut& baked);
 
 /// The manifest as the text of a file, ending in a newline.
-std::string manifest_text(const SettledLut& lut, const BakedLut& baked);
+std::string manifest_text(const ChosenLut& lut, const BakedLut& baked);
 
 /// { axis } or { parameter, from, to }.
 Json axis_json(const Axis& axis);

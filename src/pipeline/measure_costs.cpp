@@ -5,8 +5,8 @@
 #include <cstddef>
 #include <utility>
 
+#include "nacre/accuracy/choose_lut.h"
 #include "nacre/accuracy/measure.h"
-#include "nacre/accuracy/settle.h"
 #include "nacre/lut/job.h"
 
 namespace nacre {
@@ -44,11 +44,11 @@ double overhead_seconds(const CostCase& cost, const PlannedLut& lut, const Encod
     asked.wish.max_de00 = cost.bound;
     asked.job.light = cost.job.light;
     const double start = now();
-    const SettledLut settled = settle(asked, encoding, execution.step);
+    const ChosenLut chosen = choose_lut(asked, encoding, execution.step);
     const double decided = now();
     const Image<Rgb> stored = cost.make();
     const double made = now();
-    measure(settled.lut.job, stored, encoding, settled.worst);
+    measure(chosen.lut.job, stored, encoding, chosen.worst);
     return (decided - start) + (now() - made);
 }
 

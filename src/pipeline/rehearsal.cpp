@@ -12,7 +12,7 @@ namespace {
 constexpr int most_texels = 32768;
 
 // Once only: a bake finds the caches cold too, and so the first LUT of a plan takes as long as the first of a bake.
-double seconds_of(const SettledLut& lut, const LoadedScene& scene) {
+double seconds_of(const ChosenLut& lut, const LoadedScene& scene) {
     const double begin = thread_seconds();
     const BakedLut baked = bake_lut(lut, scene.plan, scene.source, *scene.space);
     const std::string exr = encode_lut(baked.image, lut.lut.format, baked.header);
@@ -23,7 +23,7 @@ double seconds_of(const SettledLut& lut, const LoadedScene& scene) {
 }  // namespace
 
 double rehearse(const DecidedLut& task) {
-    SettledLut sample = task.lut;
+    ChosenLut sample = task.lut;
     Job& job = sample.lut.job;
     const double texels = static_cast<double>(job.width) * job.height;
     if (texels <= most_texels) return seconds_of(sample, *task.scene);

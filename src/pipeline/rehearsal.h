@@ -4,7 +4,7 @@
 
 namespace nacre {
 
-/// Seconds that baking a settled LUT will take on this machine and one thread: computed, converted, measured, encoded;
+/// Seconds that baking a chosen LUT will take on this machine and one thread: computed, converted, measured, encoded;
 /// not written.
 ///
 /// Found by doing it in memory: all of a LUT of up to 32768 texels, some rows of a larger one. So it costs a few

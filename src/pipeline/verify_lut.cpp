@@ -7,8 +7,8 @@
 #include "io/disk/hash.h"
 #include "io/scene/scene_file.h"
 #include "io/scene/shipped_materials.h"
+#include "nacre/accuracy/choose_lut.h"
 #include "nacre/accuracy/measure.h"
-#include "nacre/accuracy/settle.h"
 #include "nacre/base/error.h"
 #include "nacre/base/names.h"
 #include "nacre/lut/planned_lut.h"
@@ -102,11 +102,11 @@ Verification verify_lut(const StoredLut& stored, const ReadColourSpace& read_spa
         const auto space =
             read_space(stored.header.value("colourTransform"), plan.colour.space, "header", stored.header.interop_id);
         const Encoding encoding = lut_encoding(*space, plan.colour.gamut);
-        const SettledLut settled = settle(plan.luts.front(), encoding, after_row);
-        const BakedLut again = bake_lut(settled, plan, {}, *space, after_row);
+        const ChosenLut chosen = choose_lut(plan.luts.front(), encoding, after_row);
+        const BakedLut again = bake_lut(chosen, plan, {}, *space, after_row);
         compare_headers(stored.header, again.header, result);
         compare_texels(stored, again.image, result);
-        if (encoding.to_xyz) result.error = measure(settled.lut.job, stored.image, encoding, settled.worst).reached;
+        if (encoding.to_xyz) result.error = measure(chosen.lut.job, stored.image, encoding, chosen.worst).reached;
     } catch (const IoError&) {
         throw;  // the system's refusal says nothing about the LUT
     } catch (const Error& error) {

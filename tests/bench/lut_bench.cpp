@@ -24,10 +24,10 @@ PlannedLut planned_lut(std::optional<int> wavelengths) {
     return lut;
 }
 
-SettledLut settle_at_256(PlannedLut lut, const ColourTransform& transform) {
+ChosenLut settle_at_256(PlannedLut lut, const ColourTransform& transform) {
     lut.wish.width = 256;
     lut.wish.is_binding = lut.wish.has_bound = false;
-    return settle(lut, lut_encoding(transform, Gamut::keep));
+    return choose_lut(lut, lut_encoding(transform, Gamut::keep));
 }
 
 // What a palette swatch bakes: 400 x 400 lobes of one pick, over width and height.
@@ -50,7 +50,7 @@ void decide_for_bound_of_0_1(benchmark::State& state) {
     PlannedLut lut = planned_lut({});
     const ColourTransform transform = ColourConfig::open({"", "", "bench"}).to_colour_space("lin_rec709", "bench");
     const Encoding encoding = lut_encoding(transform, Gamut::keep);
-    for (auto _ : state) benchmark::DoNotOptimize(settle(lut, encoding));
+    for (auto _ : state) benchmark::DoNotOptimize(choose_lut(lut, encoding));
 }
 
 void lut_256_exact(benchmark::State& state) {
@@ -64,9 +64,9 @@ void lut_256_sampled_at_1nm(benchmark::State& state) {
 void lut_256_to_exr_bytes(benchmark::State& state) {
     const PlannedLut lut = planned_lut({});
     const ColourTransform transform = ColourConfig::open({"", "", "bench"}).to_colour_space("lin_rec709", "bench");
-    const SettledLut settled = settle_at_256(lut, transform);
+    const ChosenLut chosen = settle_at_256(lut, transform);
     for (auto _ : state) {
-        const BakedLut baked = bake_lut(settled, Plan{}, {"nacre (built in)", ""}, transform);
+        const BakedLut baked = bake_lut(chosen, Plan{}, {"nacre (built in)", ""}, transform);
         benchmark::DoNotOptimize(encode_lut(baked.image, lut.format, baked.header));
     }
 }

@@ -271,11 +271,11 @@ ColourTransform to_rec709() {
     return ColourConfig::open({"", "", "bench"}).to_colour_space("lin_rec709", "bench");
 }
 
-// Texels of the settled job; a sum over every nanometre with the same solver; and with the rival's.
+// Texels of the chosen job; a sum over every nanometre with the same solver; and with the rival's.
 void lut_256_of_20_layers(benchmark::State& state) {
     const ColourTransform transform = to_rec709();
-    const SettledLut settled = settle(planned_lut(), lut_encoding(transform, Gamut::keep));
-    const Job& job = settled.lut.job;
+    const ChosenLut chosen = choose_lut(planned_lut(), lut_encoding(transform, Gamut::keep));
+    const Job& job = chosen.lut.job;
     const SpectralNodes sum = sum_nodes(*job.light, 1);
     SpectralSampling every_nm = job.sampling;
     every_nm.nodes.fill(std::make_shared<const SpectralNodes>(sum));
@@ -310,7 +310,7 @@ void lut_256_of_20_layers(benchmark::State& state) {
     state.counters["ratio_to_1nm"] = same_solver / ours;
     state.counters["ratio_to_scalar"] = theirs / ours;
     state.counters["nodes"] = job.sampling.counts().nodes.front();
-    state.counters["spectrum_dE00"] = settled.predicted.spectrum;
+    state.counters["spectrum_dE00"] = chosen.predicted.spectrum;
     state.counters["texels"] = job.width;
 }
 
@@ -320,7 +320,7 @@ void decide_20_layers_for_0_02(benchmark::State& state) {
     lut.wish.width.reset();
     const ColourTransform transform = to_rec709();
     const Encoding encoding = lut_encoding(transform, Gamut::keep);
-    for (auto _ : state) benchmark::DoNotOptimize(settle(lut, encoding));
+    for (auto _ : state) benchmark::DoNotOptimize(choose_lut(lut, encoding));
 }
 
 // ---- Ten thousand layers ----

@@ -37,11 +37,11 @@ Baked bake_and_read(const std::string& scene) {
     const Plan plan = plan_scene(parse_scene(scene, "test"), scene_files());
     const ColourConfig config = ColourConfig::open({"", "", "test"});
     const ColourTransform transform = config.to_colour_space(plan.colour.space, "test");
-    const SettledLut settled = settle(plan.luts.front(), lut_encoding(transform, plan.colour.gamut));
-    const PlannedLut& lut = settled.lut;
+    const ChosenLut chosen = choose_lut(plan.luts.front(), lut_encoding(transform, plan.colour.gamut));
+    const PlannedLut& lut = chosen.lut;
     const test::TemporaryFolder folder;
     const std::string file =
-        folder.file("lut.exr", encode_lut(bake_lut(settled, plan, {}, transform).image, lut.format, {}));
+        folder.file("lut.exr", encode_lut(bake_lut(chosen, plan, {}, transform).image, lut.format, {}));
     return {lut, read_lut(file).image, transform};
 }
 

@@ -57,9 +57,9 @@ double lost_by_space(const LutSearch& search, const Job& job, Work& work) {
 
 }  // namespace
 
-SettledLut explain_lut(const LutSearch& search, FoundLut found, Work work) {
+ChosenLut explain_lut(const LutSearch& search, FoundLut found, Work work) {
     const LutSurvey& survey = search.survey;
-    SettledLut result;
+    ChosenLut result;
     result.lut = survey.lut;
     result.lut.job.width = found.candidate.width;
     result.lut.job.height = found.candidate.height;

@@ -19,11 +19,11 @@ std::string error_text(double error) {
     return significant_text(error, 2);
 }
 
-std::string between_texels(const SettledLut& settled, const SearchEnd& end) {
-    const Job& job = settled.lut.job;
-    const AccuracyWish& wish = settled.lut.wish;
+std::string between_texels(const ChosenLut& chosen, const SearchEnd& end) {
+    const Job& job = chosen.lut.job;
+    const AccuracyWish& wish = chosen.lut.wish;
     std::string text =
-        "interpolation between " + size_text(job) + " texels costs " + error_text(settled.predicted.interpolation);
+        "interpolation between " + size_text(job) + " texels costs " + error_text(chosen.predicted.interpolation);
     if (end.is_effort_spent) return text + ", and it takes too long to try more: give a larger bound, or size";
     if (wish.width || (job.y && wish.height)) return text + ": leave size out, or give a larger one";
     text += ", and " + std::to_string(end.most_texels) + " texels are the most that are tried: give a larger bound";
@@ -31,54 +31,54 @@ std::string between_texels(const SettledLut& settled, const SearchEnd& end) {
 }
 
 // A mean or sum that is too rough: where it can be set, and whether the scene sets it.
-std::string of_sums(const SettledLut& settled) {
-    const SamplingCounts& given = settled.lut.wish.sampling;
+std::string of_sums(const ChosenLut& chosen) {
+    const SamplingCounts& given = chosen.lut.wish.sampling;
     const bool is_given = given.base_directions > 0 || given.radii > 0 || given.slices > 0;
-    return "sums over base, radii or slices cost " + error_text(settled.predicted.quadrature) +
+    return "sums over base, radii or slices cost " + error_text(chosen.predicted.quadrature) +
            (is_given ? ": give more of them in [accuracy.sampling], or none" : ": give a larger bound");
 }
 
-std::string of_thickness_samples(const SettledLut& settled) {
-    const bool is_given = settled.lut.wish.sampling.thickness_samples > 0;
-    return std::to_string(settled.lut.job.sampling.thickness_samples) + " samples of uneven thicknesses cost " +
-           error_text(settled.predicted.spread) +
+std::string of_thickness_samples(const ChosenLut& chosen) {
+    const bool is_given = chosen.lut.wish.sampling.thickness_samples > 0;
+    return std::to_string(chosen.lut.job.sampling.thickness_samples) + " samples of uneven thicknesses cost " +
+           error_text(chosen.predicted.spread) +
            (is_given ? ": give more in [accuracy.sampling] thickness_samples"
                      : ": give a larger bound, or more in [accuracy.sampling] thickness_samples");
 }
 
-std::string of_format(const SettledLut& settled) {
-    const bool is_half = settled.lut.format == PixelFormat::half_float;
-    return (is_half ? "half costs " : "float costs ") + error_text(settled.predicted.storage) +
+std::string of_format(const ChosenLut& chosen) {
+    const bool is_half = chosen.lut.format == PixelFormat::half_float;
+    return (is_half ? "half costs " : "float costs ") + error_text(chosen.predicted.storage) +
            (is_half ? ": use float" : ": give a larger bound");
 }
 
-std::string of_nodes(const SettledLut& settled) {
-    const bool is_given = settled.lut.wish.sampling.nodes.front() > 0;
-    return integration_text(settled.lut.job) + " cost " + error_text(settled.predicted.spectrum) +
+std::string of_nodes(const ChosenLut& chosen) {
+    const bool is_given = chosen.lut.wish.sampling.nodes.front() > 0;
+    return integration_text(chosen.lut.job) + " cost " + error_text(chosen.predicted.spectrum) +
            (is_given ? ": leave nodes out, or give more" : ": give a larger bound");
 }
 
 }  // namespace
 
-std::string limiting_factor(const SettledLut& settled, const SearchEnd& end) {
-    const ErrorSplit& split = settled.predicted;
-    if (split.effects > 0.5 * settled.lut.wish.max_de00) {
+std::string limiting_factor(const ChosenLut& chosen, const SearchEnd& end) {
+    const ErrorSplit& split = chosen.predicted;
+    if (split.effects > 0.5 * chosen.lut.wish.max_de00) {
         return "effects that the scene does without cost " + error_text(split.effects) + ": take them out of without";
     }
     if (split.quadrature > std::max({split.interpolation, split.spectrum, split.storage, split.spread}))
-        return of_sums(settled);
-    if (split.storage > std::max({split.interpolation, split.spectrum, split.spread})) return of_format(settled);
+        return of_sums(chosen);
+    if (split.storage > std::max({split.interpolation, split.spectrum, split.spread})) return of_format(chosen);
     if (end.lost_by_space > 0.5 * split.total) {
         return "colours come back from the colour space off by " + error_text(end.lost_by_space) +
                ": use another space, or gamut = \"clip\" or \"compress\"";
     }
-    const auto& wavelengths = settled.lut.job.light->settings.wavelengths;
+    const auto& wavelengths = chosen.lut.job.light->settings.wavelengths;
     if (wavelengths && split.spectrum > 0.5 * split.interpolation) {
         return std::to_string(*wavelengths) + " wavelengths cost " + error_text(split.spectrum) +
                ": leave wavelengths out";
     }
-    if (split.spread > split.interpolation) return of_thickness_samples(settled);
-    return split.spectrum > split.interpolation ? of_nodes(settled) : between_texels(settled, end);
+    if (split.spread > split.interpolation) return of_thickness_samples(chosen);
+    return split.spectrum > split.interpolation ? of_nodes(chosen) : between_texels(chosen, end);
 }
 
 }  // namespace nacre

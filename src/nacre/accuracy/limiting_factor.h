@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "nacre/accuracy/settle.h"
+#include "nacre/accuracy/choose_lut.h"
 
 namespace nacre {
 
@@ -14,6 +14,6 @@ struct SearchEnd {
 };
 
 /// What stands in the way of a bound, and what would help: "half costs 0.07: use float".
-std::string limiting_factor(const SettledLut& settled, const SearchEnd& end);
+std::string limiting_factor(const ChosenLut& chosen, const SearchEnd& end);
 
 }  // namespace nacre

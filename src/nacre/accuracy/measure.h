@@ -21,7 +21,7 @@ struct Measured {
 /// `spread_points` more that lie between the texels all over the LUT, and at its corners. Of models whose every colour
 /// takes the reference long (irregular stacks, thick layers, thousands of layers) fewer points are looked at.
 /// @param stored    the components as they are in the file
-/// @param suspects  where the LUT errs most, by settle()
+/// @param suspects  where the LUT errs most, by choose_lut()
 /// @pre the encoding has a way back to XYZ
 Measured measure(const Job& job, const Image<Rgb>& stored, const Encoding& encoding,
                  std::span<const LutPoint> suspects);
@@ -31,7 +31,7 @@ inline constexpr int spread_points = 96;
 /// The share of the points at which measure() looks, in (0, 1].
 double measured_share(const Job& job);
 
-/// What baking and measuring a settled LUT will take: bake() and measure() count the same.
+/// What baking and measuring a chosen LUT will take: bake() and measure() count the same.
 Work bake_work(const Job& job, std::size_t suspects);
 
 }  // namespace nacre

@@ -77,10 +77,10 @@ public:
         lut_.job.light = without_wavelengths(lut.job.light);
         // The baselines have every effect.
         lut_.wish.may_drop_effects = false;
-        const SettledLut settled = settle(lut_, encoding, after_step);
+        const ChosenLut chosen = choose_lut(lut_, encoding, after_step);
         lut_.wish.may_drop_effects = true;
-        height_ = settled.lut.job.height;
-        lut_.job.sampling = settled.lut.job.sampling;
+        height_ = chosen.lut.job.height;
+        lut_.job.sampling = chosen.lut.job.sampling;
     }
 
     std::vector<CostCase> all() {
@@ -256,11 +256,11 @@ private:
         std::sort(all.begin(), all.end(), std::greater<>());
         for (const double bound : all) {
             lut_.wish.max_de00 = bound;
-            const SettledLut settled = settle(lut_, encoding_, after_step_);
-            CostCase& cost = add(CostFamily::choice, number_text(bound), settled.lut.job, settled.lut.format);
+            const ChosenLut chosen = choose_lut(lut_, encoding_, after_step_);
+            CostCase& cost = add(CostFamily::choice, number_text(bound), chosen.lut.job, chosen.lut.format);
             cost.bound = bound;
-            cost.is_reached = settled.is_reached;
-            cost.predicted = settled.predicted.total;
+            cost.is_reached = chosen.is_reached;
+            cost.predicted = chosen.predicted.total;
         }
     }
 

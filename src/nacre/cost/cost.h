@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "nacre/accuracy/settle.h"
+#include "nacre/accuracy/choose_lut.h"
 #include "nacre/base/image.h"
 #include "nacre/colour/colour_types.h"
 #include "nacre/lut/bake.h"
@@ -35,7 +35,7 @@ struct CostCase {
     Job job;                                     ///< size and axes; where the error is looked for
     double bound = 0.0;                          ///< of a choice
     bool is_reached = true;                      ///< whether a choice keeps its bound
-    double predicted = 0.0;                      ///< error that settle() predicts for a choice; 0: nobody does
+    double predicted = 0.0;                      ///< error that choose_lut() predicts for a choice; 0: nobody does
     std::size_t bytes = 0;                       ///< of the texels
     std::function<Image<Rgb>()> make;            ///< makes the LUT, as stored; this is what is timed
     std::function<LutPoint(LutPoint)> fetch_at;  ///< where a mistaken shader fetches; empty: at the right place
@@ -45,7 +45,7 @@ struct CostCase {
 /// axis, in half and float; common mistakes; and nacre's own choice for bounds from 5 to 0.002 and `bound`.
 ///
 /// `wavelengths` of the scene do not count: how spectra become XYZ is what is compared. A job over two axes keeps its
-/// second one, at the height that settle() gives it.
+/// second one, at the height that choose_lut() gives it.
 /// @param encoding  has to outlive the cases
 /// @pre the encoding has a way back to XYZ
 /// @param after_step  called often; what it throws ends the search

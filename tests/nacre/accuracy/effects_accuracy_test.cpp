@@ -22,8 +22,8 @@
 #include <utility>
 #include <vector>
 
+#include "nacre/accuracy/choose_lut.h"
 #include "nacre/accuracy/choose_sampling.h"
-#include "nacre/accuracy/settle.h"
 #include "nacre/accuracy/survey.h"
 #include "nacre/colour/illuminant.h"
 #include "nacre/lut/bake.h"
@@ -85,12 +85,12 @@ const std::vector<ModelScene>& scenes() {
 }
 
 // Made once.
-const SettledLut& settled_scene(std::size_t i) {
+const ChosenLut& settled_scene(std::size_t i) {
     static const Encoding encoding = rec709_encoding();
-    static std::map<std::size_t, SettledLut> known;
+    static std::map<std::size_t, ChosenLut> known;
     const auto found = known.find(i);
     return found != known.end() ? found->second
-                                : known.emplace(i, settle(planned(scenes()[i]), encoding)).first->second;
+                                : known.emplace(i, choose_lut(planned(scenes()[i]), encoding)).first->second;
 }
 
 std::string names_of(const EffectSet& effects) {
@@ -121,16 +121,16 @@ Largest largest_difference(const std::vector<ModelXyz>& with, const std::vector<
 }
 
 // Colours all along a LUT, in the program's way, finely: both sides of a comparison have the same sampling.
-std::vector<ModelXyz> program_colours(const Job& settled, const EffectSet& without) {
+std::vector<ModelXyz> program_colours(const Job& chosen, const EffectSet& without) {
     constexpr int points = 129;
     constexpr int nodes = 192;
-    Job job = settled;
+    Job job = chosen;
     job.width = points;
     job.without = without;
     SpectralSampling sampling;
     sampling.nodes.fill(std::make_shared<const SpectralNodes>(make_spectral_nodes(job.light->weights, nodes)));
     // Many, where they are what is compared.
-    sampling.thickness_samples = settled.without.has(Effect::thickness_spread) ? 128 : 16;
+    sampling.thickness_samples = chosen.without.has(Effect::thickness_spread) ? 128 : 16;
     sampling.base_directions = 12;
     sampling.radii = 40;
     job.sampling = sampling;
@@ -160,11 +160,11 @@ struct Dropped {
 
 // @param colours  all along the LUT, without the effects that it is called with
 template <class Colours>
-void expect_shares_kept(const ModelScene& scene, const SettledLut& settled, const Colours& colours, Dropped& tally) {
-    const auto named = static_cast<double>(settled.effects.size());
+void expect_shares_kept(const ModelScene& scene, const ChosenLut& chosen, const Colours& colours, Dropped& tally) {
+    const auto named = static_cast<double>(chosen.effects.size());
     const double share = share_of_effects * scene.max_de00 / named;
-    if (settled.lut.job.without.is_empty()) {
-        for (const EffectChoice& choice : settled.effects) EXPECT_TRUE(choice.is_simulated) << scene.name;
+    if (chosen.lut.job.without.is_empty()) {
+        for (const EffectChoice& choice : chosen.effects) EXPECT_TRUE(choice.is_simulated) << scene.name;
         return;
     }
     const std::vector<ModelXyz> with = colours(EffectSet());
@@ -181,9 +181,9 @@ void expect_shares_kept(const ModelScene& scene, const SettledLut& settled, cons
         if (measured.de00 / allowed > tally.worst_share)
             tally.worst_share = measured.de00 / allowed, tally.worst_name = scene.name + " " + names_of(without);
     };
-    for (const EffectChoice& choice : settled.effects) {
+    for (const EffectChoice& choice : chosen.effects) {
         EXPECT_DOUBLE_EQ(choice.share, share) << scene.name;
-        EXPECT_EQ(settled.lut.job.without.has(choice.effect), !choice.is_simulated) << scene.name;
+        EXPECT_EQ(chosen.lut.job.without.has(choice.effect), !choice.is_simulated) << scene.name;
         if (choice.is_simulated) continue;
         EXPECT_TRUE(choice.is_measured) << scene.name;
         EffectSet one;
@@ -193,7 +193,7 @@ void expect_shares_kept(const ModelScene& scene, const SettledLut& settled, cons
         expect_kept(one, share, choice.contribution);
     }
     ++tally.scenes;
-    if (all.size() > 1) expect_kept(all, share_of_effects * scene.max_de00, settled.predicted.effects);
+    if (all.size() > 1) expect_kept(all, share_of_effects * scene.max_de00, chosen.predicted.effects);
 }
 
 void print(const char* what, const Dropped& tally) {
@@ -205,9 +205,9 @@ void print(const char* what, const Dropped& tally) {
 TEST(EffectsLeftOut, NeverCostMoreThanTheirShareIn300Scenes) {
     Dropped tally;
     for (std::size_t i = 0; i < scenes().size(); ++i) {
-        const SettledLut& settled = settled_scene(i);
+        const ChosenLut& chosen = settled_scene(i);
         expect_shares_kept(
-            scenes()[i], settled, [&](const EffectSet& without) { return program_colours(settled.lut.job, without); },
+            scenes()[i], chosen, [&](const EffectSet& without) { return program_colours(chosen.lut.job, without); },
             tally);
     }
     print("by the program's own colours", tally);
@@ -219,11 +219,11 @@ TEST(EffectsLeftOut, NeverCostMoreThanTheirShareIn300Scenes) {
 TEST(EffectsLeftOut, NeverCostMoreThanTheirShareByAModelOfItsOwn) {
     Dropped tally;
     for (std::size_t i = 0; i < scenes().size(); i += stride_of_this_run()) {
-        const SettledLut& settled = settled_scene(i);
-        if (settled.lut.job.without.is_empty()) continue;
-        const double first_nm = settled.lut.job.light->settings.first_nm;
+        const ChosenLut& chosen = settled_scene(i);
+        if (chosen.lut.job.without.is_empty()) continue;
+        const double first_nm = chosen.lut.job.light->settings.first_nm;
         expect_shares_kept(
-            scenes()[i], settled,
+            scenes()[i], chosen,
             [&](const EffectSet& without) { return model_colours(scenes()[i], without, first_nm); }, tally);
     }
     print("by the model's", tally);
@@ -246,9 +246,9 @@ struct Judged {
 };
 
 // @param points  at which the LUT is looked at: ends, and middles and other parts of texels all along
-void expect_bound_kept(const ModelScene& scene, const SettledLut& settled, int points, Judged& tally) {
+void expect_bound_kept(const ModelScene& scene, const ChosenLut& chosen, int points, Judged& tally) {
     const reference::Pixels lut =
-        pixels_of(stored_as(rec709_encoding().to_rgb(bake(settled.lut.job)), settled.lut.format));
+        pixels_of(stored_as(rec709_encoding().to_rgb(bake(chosen.lut.job)), chosen.lut.format));
     const double scale = reference::scale_of(lut);
     const Model model(scene, 0.25 * judges_share * scene.max_de00);
     Largest worst;
@@ -261,14 +261,14 @@ void expect_bound_kept(const ModelScene& scene, const SettledLut& settled, int p
     }
     std::ostringstream what;
     what << scene.name << " (" << mechanism_name(scene.mechanism) << ") " << worst.de00 << " of " << scene.max_de00
-         << " at " << worst.x << ", predicted " << settled.predicted.total << ", " << lut.width << " texels, without "
-         << names_of(settled.lut.job.without) << ", " << model.unconverged() << " points unconverged";
+         << " at " << worst.x << ", predicted " << chosen.predicted.total << ", " << lut.width << " texels, without "
+         << names_of(chosen.lut.job.without) << ", " << model.unconverged() << " points unconverged";
     if (std::getenv("NACRE_ACCURACY_VERBOSE") != nullptr) std::cout << what.str() << "\n";
     ++tally.luts;
     tally.unconverged += model.unconverged();
     // What misses its bound says so; what it says still counts.
-    const double allowed = std::max(scene.max_de00, settled.is_reached ? 0.0 : settled.predicted.total);
-    tally.missed += settled.is_reached ? 0 : 1;
+    const double allowed = std::max(scene.max_de00, chosen.is_reached ? 0.0 : chosen.predicted.total);
+    tally.missed += chosen.is_reached ? 0 : 1;
     const bool is_wrong = !(worst.de00 <= (1.0 + judges_share) * allowed);
     EXPECT_FALSE(is_wrong) << what.str();
     tally.violations += is_wrong ? 1 : 0;
@@ -403,7 +403,7 @@ TEST_P(Budgets, HoldAtOneAndATenthAndAFiftieth) {
         for (const double bound : {1.0, 0.1, 0.02}) {
             ModelScene scene{name, mechanism};
             scene.max_de00 = bound;
-            expect_bound_kept(scene, settle(planned(scene), encoding), is_sweep("1") ? 64 : 12, tally);
+            expect_bound_kept(scene, choose_lut(planned(scene), encoding), is_sweep("1") ? 64 : 12, tally);
         }
     }
     print(GetParam().name, tally);

@@ -14,7 +14,7 @@
 namespace nacre {
 
 /// A LUT with nothing left open.
-struct SettledLut {
+struct ChosenLut {
     PlannedLut lut;                     ///< size, format and sampling decided
     ErrorSplit predicted;               ///< by the bake's own code, looked for at all coordinates
     std::vector<EffectChoice> effects;  ///< those of the material, and what became of each
@@ -25,7 +25,7 @@ struct SettledLut {
 };
 
 /// Picks the cheapest LUT that errs by no more than the wish allows: the fewest bytes; of equals the one in half, which
-/// every engine reads. Sizes are powers of two up to largest_lut_size; in 2D up to `most_settled_texels` in all.
+/// every engine reads. Sizes are powers of two up to largest_lut_size; in 2D up to `most_texels_of_choice` in all.
 ///
 /// Every candidate is baked and held against the model between its texels until one fits; those too small fail at once,
 /// because the place where the last one failed is tried first. If none fits, the result is the best there is (in 2D, of
@@ -35,8 +35,8 @@ struct SettledLut {
 /// wish allows it.
 /// @throws Error if the encoding has no way back to XYZ and the wish is binding
 /// @param after_step  called every few hundred points; what it throws ends the search
-SettledLut settle(const PlannedLut& lut, const Encoding& encoding, const AfterRow& after_step = {});
+ChosenLut choose_lut(const PlannedLut& lut, const Encoding& encoding, const AfterRow& after_step = {});
 
-inline constexpr int most_settled_texels = 1 << 22;
+inline constexpr int most_texels_of_choice = 1 << 22;
 
 }  // namespace nacre

@@ -1,6 +1,6 @@
 // The choice of a LUT, in three steps: a survey of the material, a search for the size and format, and a report on what
 // was found. Each has a file of its own that says how: survey.cpp, find_lut.cpp and explain_lut.cpp.
-#include "nacre/accuracy/settle.h"
+#include "nacre/accuracy/choose_lut.h"
 
 #include <utility>
 
@@ -14,7 +14,7 @@ namespace nacre {
 namespace {
 
 // Where errors cannot be known: what the scene insists on, and else sizes that suit most materials.
-SettledLut settle_without_errors(const PlannedLut& lut, const AfterRow& after_step) {
+ChosenLut choose_without_errors(const PlannedLut& lut, const AfterRow& after_step) {
     if (lut.wish.is_binding) {
         throw Error(
             "the colour space has no way back to XYZ, so errors in it cannot be known; give [accuracy] size "
@@ -22,7 +22,7 @@ SettledLut settle_without_errors(const PlannedLut& lut, const AfterRow& after_st
     }
     constexpr int usual_width = 256;
     constexpr int usual_height = 64;
-    SettledLut result;
+    ChosenLut result;
     LutSurvey survey = survey_lut(lut, false, after_step, result.work);
     result.lut = std::move(survey.lut);
     result.effects = std::move(survey.effects);
@@ -36,8 +36,8 @@ SettledLut settle_without_errors(const PlannedLut& lut, const AfterRow& after_st
 
 }  // namespace
 
-SettledLut settle(const PlannedLut& lut, const Encoding& encoding, const AfterRow& after_step) {
-    if (!encoding.to_xyz) return settle_without_errors(lut, after_step);
+ChosenLut choose_lut(const PlannedLut& lut, const Encoding& encoding, const AfterRow& after_step) {
+    if (!encoding.to_xyz) return choose_without_errors(lut, after_step);
     Work work;
     const LutSurvey survey = survey_lut(lut, true, after_step, work);
     const LutSearch search{survey, encoding, after_step};

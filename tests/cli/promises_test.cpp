@@ -94,9 +94,7 @@ TEST(Promises, OfAGratingBesideAllItsLightAreBlack) {
     for (const char* azimuth : {"azimuth_deg = 90", "azimuth_deg = 89.99"}) {
         const Outcome outcome = bake(grating + azimuth);
         EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
-        EXPECT_NE(outcome.err.find("the grating is black at its azimuth_deg"),
-                  std::string::npos)
-            << outcome.err;
+        EXPECT_NE(outcome.err.find("the grating is black at its azimuth_deg"), std::string::npos) << outcome.err;
         EXPECT_LE(outcome.reached, 0.1) << azimuth;
     }
 }

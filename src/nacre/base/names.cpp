@@ -84,7 +84,8 @@ std::string in_quotes(std::string_view name) {
     constexpr std::size_t longest = 60;
     std::string shown(name.substr(0, longest));
     for (char& c : shown) {
-        if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = '?';  // a line break would look like a second message
+        if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f)
+            c = '?';  // a line break would look like a second message
     }
     return '"' + shown + (name.size() <= longest ? "\"" : "...\"");
 }

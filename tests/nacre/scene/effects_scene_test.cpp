@@ -472,7 +472,7 @@ TEST(Parameters, RangesHoldTheMechanismsOwnNumber) {
                     "0.6\nhard_radius_nm = 100\n"}) {
         const Mechanism mechanism = scene.mechanism(keys);
         for (const Parameter& parameter : parameters_of(mechanism)) {
-            if (parameter.name.find(".") != std::string::npos || parameter.name == "tilt_deg") continue;
+            if (parameter.name.find('.') != std::string::npos || parameter.name == "tilt_deg") continue;
             const double own = parameter.name == "diameter_nm"       ? 250.0
                                : parameter.name == "spacing_nm"      ? 150.0
                                : parameter.name == "radius_nm"       ? 100.0

@@ -70,8 +70,10 @@ GLuint compile(GLenum stage, const std::string& source) {
     glGetShaderiv(shader, GL_COMPILE_STATUS, &compiled);
     if (compiled != GL_TRUE) {
         std::string log(4096, '\0');
-        glGetShaderInfoLog(shader, static_cast<GLsizei>(log.size()), nullptr, log.data());
-        throw std::runtime_error("the driver refuses this shader:\n" + std::string(log.c_str()) + "\n" + source);
+        GLsizei length = 0;
+        glGetShaderInfoLog(shader, static_cast<GLsizei>(log.size()), &length, log.data());
+        log.resize(static_cast<std::size_t>(length));
+        throw std::runtime_error("the driver refuses this shader:\n" + log + "\n" + source);
     }
     return shader;
 }

@@ -153,12 +153,13 @@ std::vector<std::string> with_lists_spread(const std::vector<std::string>& words
     std::vector<std::string> spread;
     for (std::size_t i = 0; i < words.size(); ++i) {
         const std::string name = words[i].substr(0, words[i].find('='));
-        if (std::find(names.begin(), names.end(), name) == names.end()) {
-            spread.push_back(words[i]);
-        } else if (name.size() < words[i].size()) {
+        const bool is_list = std::find(names.begin(), names.end(), name) != names.end();
+        const bool has_value = name.size() < words[i].size();
+        const bool is_last = i + 1 >= words.size() || is_option(words[i + 1]);
+        if (!is_list || (!has_value && is_last)) {
+            spread.push_back(words[i]);  // of a list without a value CLI11 says that it is missing
+        } else if (has_value) {
             add_items(spread, name, words[i].substr(name.size() + 1));
-        } else if (i + 1 >= words.size() || is_option(words[i + 1])) {
-            spread.push_back(words[i]);  // CLI11 says that its value is missing
         } else {
             add_items(spread, name, words[++i]);
             while (i + 1 < words.size() && !is_option(words[i + 1]) && !is_file(words[i + 1]))
@@ -189,7 +190,7 @@ std::string unexpected(const std::string& word, const Command* command) {
 std::string refusal(const CLI::ParseError& error, const CLI::App& app, const Command* command) {
     const std::vector<std::string> rest = app.remaining(true);
     if (!rest.empty()) return unexpected(rest.front(), command);
-    const std::string text = error.what();
+    std::string text = error.what();
     if (dynamic_cast<const CLI::ArgumentMismatch*>(&error) != nullptr && command != nullptr) {
         const std::string name = text.substr(0, text.find(':'));
         for (const Option& option : command->options) {

@@ -96,7 +96,7 @@ std::string hint_of_assignments(std::string_view line) {
              equals = line.find('=', equals + 1)) {
             const auto assignment = assignment_at(line, equals);
             if (!assignment) continue;
-            const std::string text = hint(*assignment);
+            std::string text = hint(*assignment);
             if (!text.empty()) return text;
         }
     }

@@ -284,7 +284,7 @@ void bake_and_judge(const TemporaryFolder& folder, const std::vector<std::string
 
 // ---- The judge is judged first ----
 
-TEST(ReferencePalette, TexelsOfAFixedSizeAreWhatItSays) {
+TEST(ReferencePaletteInFiles, TexelsOfAFixedSizeAreWhatItSays) {
     const TemporaryFolder folder;
     std::vector<std::string> arguments{"bake"};
     std::vector<ModelScene> scenes = scenes_for(1.0);
@@ -308,7 +308,7 @@ TEST(ReferencePalette, TexelsOfAFixedSizeAreWhatItSays) {
     }
 }
 
-TEST(ReferencePalette, LinearFilterErrsWithTheSquareOfTheStep) {
+TEST(ReferencePaletteInFiles, LinearFilterErrsWithTheSquareOfTheStep) {
     // Measured in files: a fetch that were half a texel off would err with the step itself.
     const TemporaryFolder folder;
     const Model model(reference::paper_morpho());

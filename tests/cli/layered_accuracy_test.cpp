@@ -180,7 +180,7 @@ void judge(const std::filesystem::path& folder, const ModelScene& scene, Tally& 
     if (of_reached > tally.worst_of_reached) tally.worst_of_reached = of_reached, tally.worst_of_reached_name = name;
 }
 
-TEST(ReferenceLayers, GiveTheSpectrumThatTheProgramPrints) {
+TEST(ReferenceLayersInFiles, GiveTheSpectrumThatTheProgramPrints) {
     const TemporaryFolder folder;
     const auto scenes = reference::random_layers();
     for (std::size_t i = 0; i < 60; i += 5) {

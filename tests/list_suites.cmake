@@ -23,9 +23,14 @@ foreach(line IN LISTS lines)
 endforeach()
 list(REMOVE_DUPLICATES suites)
 
+# Two programs may have suites of one name, and ctest would give the properties of either to both.
+get_filename_component(program "${PROGRAM}" NAME)
+string(REGEX REPLACE "^nacre_|_tests?$" "" program "${program}")
+
 set(text "")
 function(add_entry name filter labels cost)
     string(REPLACE "|" ";" variables "${ENVIRONMENT}")
+    set(name "${program}.${name}")
     string(APPEND text "add_test([==[${name}]==] [==[${PROGRAM}]==] [==[--gtest_filter=${filter}]==])\n"
                        "set_tests_properties([==[${name}]==] PROPERTIES LABELS [==[${labels}]==] COST ${cost} "
                        "ENVIRONMENT [==[${variables}]==])\n")

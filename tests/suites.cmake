@@ -19,6 +19,7 @@ function(nacre_add_suites target)
     list(JOIN ARG_SINGLE "|" single)
     list(JOIN ARG_SWEEP "|" sweep)
     list(JOIN ARG_ENVIRONMENT "|" environment)
+    set_property(TARGET ${target} APPEND PROPERTY LINK_DEPENDS "${NACRE_LIST_SUITES}")
     add_custom_command(TARGET ${target} POST_BUILD VERBATIM
         COMMAND "${CMAKE_COMMAND}" "-DPROGRAM=$<TARGET_FILE:${target}>" "-DOUTPUT=${tests}" "-DLABEL=${ARG_LABEL}"
                 "-DSINGLE=${single}" "-DSWEEP=${sweep}" "-DENVIRONMENT=${environment}" -P "${NACRE_LIST_SUITES}")

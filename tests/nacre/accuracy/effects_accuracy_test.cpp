@@ -394,6 +394,10 @@ struct Group {
     NamedMechanisms (*mechanisms)();
 };
 
+void PrintTo(const Group& group, std::ostream* out) {
+    *out << group.name;
+}
+
 class Budgets : public testing::TestWithParam<Group> {};
 
 TEST_P(Budgets, HoldAtOneAndATenthAndAFiftieth) {

@@ -187,7 +187,7 @@ TEST(Spectra, OfBytesThatAreNoTextAreRefused) {
     std::string bytes;
     for (int i = 0; i < 4096; ++i) bytes += static_cast<char>(i * 7919 % 256);
     EXPECT_THROW(spectra_of(bytes), Error);
-    EXPECT_THROW(spectra_of(std::string("wavelength_nm,0\n400,0\0\n500,0\n", 30)), Error);
+    EXPECT_THROW(spectra_of(std::string("wavelength_nm,0\n400,0\0\n500,0\n", 29)), Error);
 }
 
 }  // namespace

@@ -13,7 +13,7 @@ namespace {
 
 class SnippetText : public testing::TestWithParam<ShaderLanguage> {
 protected:
-    const std::string text_ = snippet(GetParam());
+    std::string text_ = snippet(GetParam());
     bool says(std::string_view part) const { return text_.find(part) != std::string::npos; }
 };
 

@@ -15,7 +15,7 @@ Index read_required_index(const Table& table, std::string_view key, const IndexR
 
 Index read_clear_medium(const Table& table, std::string_view key, const IndexReader& reader,
                         std::string_view consequence) {
-    const Index medium = reader.read_or(table, key, Index(1.0));
+    Index medium = reader.read_or(table, key, Index(1.0));
     // A number is meant as it is; a table of a clear material may have a tiny k.
     const double limit = medium.is_constant() ? 0.0 : transparent_k;
     if (largest_k(medium, reader.first_nm, reader.last_nm) > limit) {

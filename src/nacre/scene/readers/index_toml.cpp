@@ -36,7 +36,7 @@ std::string k_toml(const IndexCurve& curve) {
 
 std::string index_toml(const Index& index) {
     if (index.is_constant()) {
-        const std::string n = number_text(index.constant.real());
+        std::string n = number_text(index.constant.real());
         if (index.constant.imag() == 0.0) return n;
         return "{ n = " + n + ", k = " + number_text(index.constant.imag()) + " }";
     }

@@ -45,7 +45,7 @@ int run_cost(const CostOptions& options, Console& console) {
     const PlannedLut& lut = lut_named(scene.plan, options.lut);
     if (!scene.space->has_inverse()) {
         throw Error(lut.where.text() + " " + lut.name + ": space " + scene.space->name() +
-                    " has no way back to XYZ, so no error can be measured in it; name another [colour] space");
+                    " has no inverse to XYZ, so no error can be measured in it; name another [colour] space");
     }
     const double bound = options.accuracy > 0.0 ? options.accuracy : lut.wish.max_de00;
     const Encoding encoding = lut_encoding(*scene.space, scene.plan.colour.gamut);
@@ -82,7 +82,7 @@ Command cost_command() {
                        accuracy_option(options->accuracy),
                        ocio_option(options->ocio)};
     command.footer =
-        "\nMakes one LUT in some sixty ways. Each row says how far its colours are off (CIEDE2000, the largest error "
+        "\nMakes one LUT in about sixty ways. Each row says how far its colours are off (CIEDE2000, the largest error "
         "of\n"
         "what a shader can fetch) and how long one thread took to make it: nacre's own choice for bounds from 5 to\n"
         "0.002; sums over every 1 to 20 nm, fits of the observer, three wavelengths; fixed sizes on every axis; "

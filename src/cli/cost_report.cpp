@@ -24,10 +24,10 @@ struct FamilyText {
 };
 constexpr std::array family_texts{
     FamilyText{CostFamily::choice, "choice", "nacre's choice for a bound"},
-    FamilyText{CostFamily::integral, "integral", "from spectrum to XYZ, all else as good as it gets"},
+    FamilyText{CostFamily::integral, "integral", "from spectrum to XYZ, everything else as exact as possible"},
     FamilyText{CostFamily::fixed_size, "fixed_size", "sizes fixed by hand, spectra integrated exactly"},
-    FamilyText{CostFamily::mistake, "mistake", "what goes wrong, at 256 texels and half"},
-    FamilyText{CostFamily::effect, "effect", "effects switched off in turn, all else as good as it gets"},
+    FamilyText{CostFamily::mistake, "mistake", "common mistakes, at 256 texels in half"},
+    FamilyText{CostFamily::effect, "effect", "effects switched off in turn, everything else as exact as possible"},
 };
 
 std::string_view family_name(CostFamily family) {
@@ -69,7 +69,7 @@ std::vector<std::string> cost_lines(const std::vector<CostRow>& rows) {
         for (const CostRow& row : rows) {
             const CostCase& cost = row.cost;
             if (cost.family != text.family) continue;
-            cells.push_back({"  " + cost.label + (cost.is_reached ? "" : " (out of reach)"), cost.axis,
+            cells.push_back({"  " + cost.label + (cost.is_reached ? "" : " (not reached)"), cost.axis,
                              size_text(cost.job), cost.format, bytes_text(cost.bytes), short_number(row.de00),
                              duration_text(row.seconds),
                              cost.family == CostFamily::choice ? duration_text(row.all_seconds) : ""});

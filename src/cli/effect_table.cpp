@@ -13,8 +13,8 @@ namespace nacre {
 namespace {
 
 std::string reason(const EffectChoice& choice) {
-    if (choice.is_given) return "the scene does without; that changes colours by " + short_number(choice.contribution);
-    if (!choice.is_measured) return "asked for";
+    if (choice.is_given) return "left out by the scene; this changes colours by " + short_number(choice.contribution);
+    if (!choice.is_measured) return "requested";
     return "changes colours by " + short_number(choice.contribution) +
            (choice.is_simulated ? ", more than " : ", within ") + short_number(choice.share);
 }

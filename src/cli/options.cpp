@@ -24,8 +24,8 @@ constexpr const char* description =
     "angle-to-RGB lookup textures for iridescent surfaces.";
 
 constexpr const char* main_footer =
-    "\nExit codes: 0 all done; 1 some LUTs failed, the others were written; 2 the scene or the command line is wrong,\n"
-    "nothing was written; 3 input or output; 4 accuracy or verification not met; 143 stopped by SIGTERM.\n\n"
+    "\nExit codes: 0 success; 1 some LUTs failed, the others were written; 2 the scene or the command line is wrong,\n"
+    "nothing was written; 3 input or output failed; 4 accuracy or verification not reached; 143 stopped by SIGTERM.\n\n"
     "Example:\n  nacre bake configs/scenes/morpho.toml -o out\n";
 
 // "--output" of "-o,--output".
@@ -226,16 +226,16 @@ Asked parse_command_line(int argc, const char* const* argv, const std::vector<Co
     app.require_subcommand(1);
     app.fallthrough();
     app.allow_extras();
-    app.add_flag("--json", asked.console.json, "results as JSON on standard output");
-    app.add_flag("-q,--quiet", asked.console.quiet, "say nothing but errors");
-    app.add_flag("-v,--verbose", asked.console.verbose, "say what is done, on standard error");
+    app.add_flag("--json", asked.console.json, "print results as JSON on standard output");
+    app.add_flag("-q,--quiet", asked.console.quiet, "print errors only");
+    app.add_flag("-v,--verbose", asked.console.verbose, "report each step on standard error");
 
     const std::vector<std::string> all(argv + std::min(argc, 1), argv + argc);
     const Command* const command = find_command(all, commands);
     std::list<Given> values;  // CLI11 keeps references
     for (const Command& one : commands) {
         CLI::App* const declared = app.add_subcommand(one.name, one.summary);
-        declared->footer("All commands take --json, --quiet and --verbose.\n" + one.footer);
+        declared->footer("All commands accept --json, --quiet and --verbose.\n" + one.footer);
         if (&one != command) continue;
         for (const Option& option : one.options) declare(*declared, option, values.emplace_back(Given{&option, {}}));
     }

@@ -146,7 +146,8 @@ void pick_mechanism(const PickOptions& options, Console& console) {
     };
     const Plan asked = plan_of(scene_text({options.name, asked_lines(options), picks(), "", true}), options, console);
     if (asked.searches.empty())
-        throw Error("--mechanism " + options.mechanism + ": picks lead to a palette, film, stack, grating or crystal");
+        throw Error("--mechanism " + options.mechanism +
+                    ": picks can lead to a palette, film, stack, grating or crystal");
     const MaterialSearch& search = asked.searches.front();
     const auto chosen = static_cast<std::size_t>(std::max(options.choose, 1) - 1);
     if (chosen >= search.found.size()) {
@@ -176,7 +177,8 @@ void pick_mechanism(const PickOptions& options, Console& console) {
 // ---- a palette of measured spectra
 
 void pick_measured_palette(const PickOptions& options, Console& console) {
-    if (!options.with.empty()) throw Error("--with and --measured: the palette is fitted whole; leave --with out");
+    if (!options.with.empty())
+        throw Error("--with and --measured: every number of the palette is fitted; leave --with out");
     const MeasuredSpectra spectra = read_spectra_csv(options.measured);
     const std::size_t count = options.count > 0 ? static_cast<std::size_t>(options.count)
                                                 : std::min<std::size_t>(2, spectra.angle_deg.size());
@@ -197,10 +199,9 @@ int run_pick(const PickOptions& options, Console& console) {
     check_with(options.with);
     check_swatch_name(options);
     if (options.count > 0 && !(is_measured && is_palette(options)))
-        throw Error(
-            "--picks: is how many bands of a palette stand for measured spectra; give it with --measured alone");
+        throw Error("--picks: sets the number of palette picks for measured spectra; give it with --measured only");
     if (options.choose > 0 && is_palette(options))
-        throw Error("--choose: a palette is the one answer to its picks; give --mechanism, or leave it out");
+        throw Error("--choose: picks have only one palette; give --mechanism, or leave --choose out");
     if (!is_palette(options)) {
         pick_mechanism(options, console);
     } else if (is_measured) {
@@ -231,8 +232,9 @@ std::vector<Option> options_of(PickOptions& options) {
          .value_name = "NAME"},
         {.names = "--with",
          .target = &options.with,
-         .help = "a line of the material in TOML: index = 1.33 fixes it, index = { from = 1.3, to = 1.5 } bounds it; "
-                 "may be repeated",
+         .help =
+             "a line of the material in TOML: index = 1.33 fixes a number, index = { from = 1.3, to = 1.5 } bounds it; "
+             "may be repeated",
          .value_name = "KEY=VALUE"},
         {.names = "--choose",
          .target = &options.choose,

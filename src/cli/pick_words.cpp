@@ -71,7 +71,7 @@ void check_with(const std::vector<std::string>& with) {
         try {
             parse_scene(line, "--with");
         } catch (const Error&) {
-            throw Error("--with " + in_quotes(line) + ": is not TOML; text stands in quotes" + wanted);
+            throw Error("--with " + in_quotes(line) + ": is not TOML; put text in quotes" + wanted);
         }
         if (std::find(keys.begin(), keys.end(), key) != keys.end()) throw Error("--with " + key + ": is given twice");
         keys.push_back(std::move(key));

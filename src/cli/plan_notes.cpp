@@ -48,7 +48,7 @@ void note_shapes(const LoadedScene& scene, Console& console) {
                       number_text(picks[i].angle_deg) + " deg";
         }
         console.summary(material.name + ": shape = " + number_text(material.shape_fit->shape) +
-                        " is nearest to its picks; straight lines would miss them by CIEDE2000 " + misses);
+                        " fits its picks best; straight lines would miss them by CIEDE2000 " + misses);
     }
 }
 
@@ -77,7 +77,7 @@ void note_edges(const LoadedScene& scene, Console& console) {
         console.summary(material.name + ": measured from " +
                         range(spectra->wavelength_nm.front(), spectra->wavelength_nm.back()) + " nm and " +
                         range(spectra->angle_deg.front(), spectra->angle_deg.back()) +
-                        " deg; beyond, the nearest measurement is held");
+                        " deg; outside, the nearest measurement is held");
     }
 }
 

@@ -65,12 +65,12 @@ void judge_bound(const BakeTask& task, const BakeTarget& target, BakeOutcome& ou
     const ChosenLut& decided = task.decided->lut;
     const AccuracyWish& wish = decided.lut.wish;
     if (!outcome.baked.reached || *outcome.baked.reached <= wish.max_de00) return;
-    const std::string error =
-        task.where().text() + " " + task.name() + ": errs by " + significant_text(*outcome.baked.reached, error_digits);
+    const std::string error = task.where().text() + " " + task.name() + ": has an error of " +
+                              significant_text(*outcome.baked.reached, error_digits);
     if (wish.is_binding && !target.best_effort) {
         outcome.misses_bound = true;
         outcome.failure =
-            error + " where max_de00 = " + number_text(wish.max_de00) + " was promised; please report this scene";
+            error + ", more than the promised max_de00 = " + number_text(wish.max_de00) + "; please report this scene";
     } else if (wish.has_bound && decided.is_reached) {
         // A bound that nobody gave is a goal; that it is out of reach was said before, unless the plan did not see it.
         outcome.warning = error + ", more than max_de00 = " + number_text(wish.max_de00) + "; please report this scene";

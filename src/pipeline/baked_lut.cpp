@@ -17,7 +17,8 @@ namespace {
 
 GamutRule gamut_rule(const ColourSpace& space, Gamut gamut) {
     if (gamut == Gamut::compress && !space.linear_matrix()) {
-        throw Error("gamut = \"compress\" needs a linear space, and " + space.name() + " is none; use clip or keep");
+        throw Error("gamut = \"compress\" needs a linear space, and " + space.name() +
+                    " is not linear; use clip or keep");
     }
     return {gamut, space.linear_matrix()};
 }

@@ -39,9 +39,8 @@ void override_accuracy(std::vector<LoadedScene>& scenes, const AccuracyOverride&
                 lut.wish.is_binding = true;
             }
             if (!lut.wish.is_binding || scene.space->has_inverse()) continue;
-            throw Error(
-                lut.where.text() + " " + lut.name + ": space " + scene.space->name() +
-                " has no way back to XYZ, so no error can be measured in it; give [accuracy] size and no bound");
+            throw Error(lut.where.text() + " " + lut.name + ": space " + scene.space->name() +
+                        " has no inverse to XYZ, so no error can be measured in it; give [accuracy] size and no bound");
         }
     }
 }

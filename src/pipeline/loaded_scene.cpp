@@ -38,7 +38,7 @@ std::shared_ptr<const ColourSpace> target_space(const ColourSpaces& colours, con
     auto space = colours.space(name, where);
     if (settings.gamut == Gamut::compress && !space->linear_matrix()) {
         throw Error(where + ": gamut = \"compress\" needs a linear space, and " + space->name() +
-                    " is none; use clip or keep");
+                    " is not linear; use clip or keep");
     }
     return space;
 }

@@ -39,7 +39,7 @@ private:
             if (!space.empty()) throw;
             throw Error(std::string(error.what()) + " (the config's role for picked colours); give space = \"...\"");
         }
-        throw Error(at + ": " + name + " has no way back to XYZ in this config; give another space");
+        throw Error(at + ": " + name + " has no inverse to XYZ in this config; give another space");
     }
 
     std::string scene_path_;

@@ -96,21 +96,20 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(
         OutOfReach{
             "Half", "", "[lut.morpho]\nformat = \"half\"\n", "0.02",
-            "5:6 morpho: max_de00 = 0.02 is out of reach; the best is 0.0685, with 512 x 1 half: half costs 0.069: "
+            "5:6 morpho: max_de00 = 0.02 cannot be reached; the best is 0.0685, with 512 x 1 half: half costs 0.069: "
             "use float"},
         OutOfReach{
             "Size", "[accuracy]\nsize = 64\n", "", "0.5",
-            "3:11 morpho: max_de00 = 0.5 is out of reach; the best is 1.69, with 64 x 1 half: interpolation between "
+            "3:11 morpho: max_de00 = 0.5 cannot be reached; the best is 1.69, with 64 x 1 half: interpolation between "
             "64 x 1 texels costs 1.7: leave size out, or give a larger one"},
         OutOfReach{
             "Wavelengths", "[accuracy]\nwavelengths = 48\n", "", "0.5",
-            "3:11 morpho: max_de00 = 0.5 is out of reach; the best is 1.34, with 128 x 1 half: 48 wavelengths cost "
+            "3:11 morpho: max_de00 = 0.5 cannot be reached; the best is 1.34, with 128 x 1 half: 48 wavelengths cost "
             "1.4: leave wavelengths out"},
-        OutOfReach{
-            "Everything", "", "", "1e-04",
-            "1:11 morpho: max_de00 = 1e-04 is out of reach; the best is 0.000406, with 4096 x 1 float: "
-            "interpolation between 4096 x 1 texels costs 0.00041, and 4096 texels are the most that are tried: give a "
-            "larger bound"}),
+        OutOfReach{"Everything", "", "", "1e-04",
+                   "1:11 morpho: max_de00 = 1e-04 cannot be reached; the best is 0.000406, with 4096 x 1 float: "
+                   "interpolation between 4096 x 1 texels costs 0.00041, and 4096 texels are the most that nacre "
+                   "tries: give a larger bound"}),
     [](const auto& parameters) { return std::string(parameters.param.name); });
 
 TEST(Accuracy, OneLutOutOfReachLeavesAllUnwritten) {

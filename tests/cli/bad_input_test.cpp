@@ -54,7 +54,7 @@ const std::vector<Mistake> mistakes{
      ":5:12 [accuracy]: max_de00 = 0 is out of range; allowed [1e-05, 100]"},
     {"NoToml", "[material.m\n", ""},
     {"CompressIntoACurve", scene("[colour]\nspace = \"srgb_rec709\"\ngamut = \"compress\"\n"),
-     ":5:9 [colour]: gamut = \"compress\" needs a linear space, and srgb_rec709 is none; use clip or keep"},
+     ":5:9 [colour]: gamut = \"compress\" needs a linear space, and srgb_rec709 is not linear; use clip or keep"},
     {"UnknownColourSpace", scene("[colour]\nspace = \"lin_rec907\"\n"), ""},
     {"DataSpace", scene("[colour]\nspace = \"Raw\"\n"), ""},
     {"MissingConfig", scene("[colour]\nconfig = \"no.ocio\"\n"), ""},

@@ -70,7 +70,7 @@ TEST(FittedShape, StandsInThePlan) {
     const ProgramOptions here{folder.path(), {}, {}, {}};
     const ProgramResult plan = run_nacre({"plan", "s.toml"}, here);
     EXPECT_EQ(plan.exit_code, 0) << plan.err;
-    EXPECT_NE(plan.out.find("m: shape = 0.5 is nearest to its picks; straight lines would miss them by CIEDE2000 "
+    EXPECT_NE(plan.out.find("m: shape = 0.5 fits its picks best; straight lines would miss them by CIEDE2000 "
                             "0 at 0 deg, 0 at 60 deg, 0 at 90 deg"),
               std::string::npos)
         << plan.out;

@@ -113,8 +113,7 @@ std::string morpho_verdict(const Judged& judged) {
 }
 
 std::string beetle_verdict(const Judged& judged) {
-    return "**Verdict.** The formula for the peak is as good as one could wish, within " +
-           judged.worst(0, "largest_error_nm_here") +
+    return "**Verdict.** The formula for the peak fits well, within " + judged.worst(0, "largest_error_nm_here") +
            " nm of the stack that the picks imply; against the published indices the peak is off by up to " +
            judged.worst(1, "largest_error_nm_here") +
            " nm, because the two picks ask for a mean index above both of them; colours differ by up to " +

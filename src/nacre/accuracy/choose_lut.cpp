@@ -17,7 +17,7 @@ namespace {
 ChosenLut choose_without_errors(const PlannedLut& lut, const AfterRow& after_step) {
     if (lut.wish.is_binding) {
         throw Error(
-            "the colour space has no way back to XYZ, so errors in it cannot be known; give [accuracy] size "
+            "the colour space has no inverse to XYZ, so its errors cannot be measured; give [accuracy] size "
             "instead of a bound");
     }
     constexpr int usual_width = 256;

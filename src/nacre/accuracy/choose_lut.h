@@ -33,7 +33,7 @@ struct ChosenLut {
 ///
 /// An effect whose contribution at probes stays below its part of `share_of_effects` of the bound is left out, if the
 /// wish allows it.
-/// @throws Error if the encoding has no way back to XYZ and the wish is binding
+/// @throws Error if the encoding has no inverse to XYZ and the wish is binding
 /// @param after_step  called every few hundred points; what it throws ends the search
 ChosenLut choose_lut(const PlannedLut& lut, const Encoding& encoding, const AfterRow& after_step = {});
 

@@ -24,9 +24,9 @@ std::string between_texels(const ChosenLut& chosen, const SearchEnd& end) {
     const AccuracyWish& wish = chosen.lut.wish;
     std::string text =
         "interpolation between " + size_text(job) + " texels costs " + error_text(chosen.predicted.interpolation);
-    if (end.is_effort_spent) return text + ", and it takes too long to try more: give a larger bound, or size";
+    if (end.is_effort_spent) return text + ", and trying more would take too long: give a larger bound, or size";
     if (wish.width || (job.y && wish.height)) return text + ": leave size out, or give a larger one";
-    text += ", and " + std::to_string(end.most_texels) + " texels are the most that are tried: give a larger bound";
+    text += ", and " + std::to_string(end.most_texels) + " texels are the most that nacre tries: give a larger bound";
     return job.y ? text + ", or size" : text;
 }
 
@@ -63,13 +63,13 @@ std::string of_nodes(const ChosenLut& chosen) {
 std::string limiting_factor(const ChosenLut& chosen, const SearchEnd& end) {
     const ErrorSplit& split = chosen.predicted;
     if (split.effects > 0.5 * chosen.lut.wish.max_de00) {
-        return "effects that the scene does without cost " + error_text(split.effects) + ": take them out of without";
+        return "effects that the scene leaves out cost " + error_text(split.effects) + ": take them out of without";
     }
     if (split.quadrature > std::max({split.interpolation, split.spectrum, split.storage, split.spread}))
         return of_sums(chosen);
     if (split.storage > std::max({split.interpolation, split.spectrum, split.spread})) return of_format(chosen);
     if (end.lost_by_space > 0.5 * split.total) {
-        return "colours come back from the colour space off by " + error_text(end.lost_by_space) +
+        return "the round trip through the colour space costs " + error_text(end.lost_by_space) +
                ": use another space, or gamut = \"clip\" or \"compress\"";
     }
     const auto& wavelengths = chosen.lut.job.light->settings.wavelengths;

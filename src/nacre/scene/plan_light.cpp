@@ -19,7 +19,7 @@ void check_white(const Light& light, const Table& scene) {
     if (light.settings.wavelengths && !(light.white().y > least_white)) {
         scene.table("accuracy")
             ->fail_at("wavelengths", "wavelengths = " + std::to_string(*light.settings.wavelengths) +
-                                         " miss all the light of illuminant " + in_quotes(light.settings.illuminant) +
+                                         " get no light from illuminant " + in_quotes(light.settings.illuminant) +
                                          "; give more of them");
     }
     if (can_adapt_from(light.settings.adaptation, light.white())) return;

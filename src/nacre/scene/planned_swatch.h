@@ -26,7 +26,7 @@ inline constexpr std::array swatch_words{
 
 /// The same for pictures, which have to show something.
 inline constexpr std::array swatch_gamut_words{
-    Word<Gamut>{"compress", Gamut::compress, "bent into what sRGB shows, so that neighbours stay distinct"},
+    Word<Gamut>{"compress", Gamut::compress, "moved into the gamut of sRGB, so that neighbours stay distinct"},
     Word<Gamut>{"clip", Gamut::clip, "cut at what the display shows"},
 };
 

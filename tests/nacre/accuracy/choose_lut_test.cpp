@@ -295,7 +295,7 @@ TEST(ChooseLut, ThatNoSizeReachesSaysThatThereIsNone) {
     EXPECT_EQ(chosen.lut.format, single);
     EXPECT_EQ(chosen.obstacle, "interpolation between 4096 x 1 texels costs " +
                                    two_digits(chosen.predicted.interpolation) +
-                                   ", and 4096 texels are the most that are tried: give a larger bound");
+                                   ", and 4096 texels are the most that nacre tries: give a larger bound");
 }
 
 TEST(ChooseLut, WithoutAWayBackToXyzRefusesABoundAndElseTakesDefaults) {
@@ -308,7 +308,7 @@ TEST(ChooseLut, WithoutAWayBackToXyzRefusesABoundAndElseTakesDefaults) {
         FAIL() << "a bound that nobody can check";
     } catch (const Error& error) {
         EXPECT_STREQ(error.what(),
-                     "the colour space has no way back to XYZ, so errors in it cannot be known; give [accuracy] size "
+                     "the colour space has no inverse to XYZ, so its errors cannot be measured; give [accuracy] size "
                      "instead of a bound");
     }
     lut.wish.is_binding = lut.wish.has_bound = false;

@@ -441,9 +441,10 @@ TEST(Particles, MayBeLargerInLightOfLongerWaves) {
     const std::vector<Parameter> parameters = parameters_of(red.mechanism(keys));
     EXPECT_EQ(parameter_named(parameters, "radius_nm").allowed.high, 60.0);
     // 500 nm / (2 pi)
-    EXPECT_EQ(red.message(scatter + "particle = 1.5\nradius_nm = 80\n"),
-              "s.toml:4:13 [material.m]: radius_nm = 80 is no longer small beside the wavelength; use model = \"mie\", "
-              "or a radius up to 79.57 nm");
+    EXPECT_EQ(
+        red.message(scatter + "particle = 1.5\nradius_nm = 80\n"),
+        "s.toml:4:13 [material.m]: radius_nm = 80 is not small compared with the wavelength; use model = \"mie\", "
+        "or a radius up to 79.57 nm");
     EXPECT_EQ(red.message(scatter + "particle = 1.5\nradius_nm = 79.5\n"), "was accepted");
 }
 
@@ -522,7 +523,7 @@ const std::vector<Mistake> grating_mistakes{
     {"LandBeyondAll", grating + "period_nm = 900\ndepth_nm = 1\nland = 1.1\n",
      "s.toml:5:8 [material.m]: land = 1.1 is out of range; allowed [0, 1]"},
     {"LandOfASine", grating + "period_nm = 900\ndepth_nm = 1\nprofile = \"sinusoidal\"\nland = 0.5\n",
-     "s.toml:6:8 [material.m]: land means nothing for a sinusoidal profile; known for lamellar"},
+     "s.toml:6:8 [material.m]: land has no meaning for a sinusoidal profile; known for lamellar"},
     {"EfficiencyAndProfile", grating + "period_nm = 900\nefficiency = [0.1]\nprofile = \"lamellar\"\n",
      "s.toml:5:11 [material.m]: profile and efficiency are both given; give the orders' efficiency, or the profile "
      "that it follows from"},
@@ -575,13 +576,14 @@ const std::vector<Mistake> crystal_mistakes{
     {"SpacingOfNothing", crystal + "sphere = 1.45\ndiameter_nm = 250\nspacing_nm = 0\n",
      "s.toml:5:14 [material.m]: spacing_nm = 0 is out of range; allowed [1, 100000] nm"},
     {"SpheresPressedFlat", crystal + "sphere = 1.45\ndiameter_nm = 250\nspacing_nm = 149.9\n",
-     "s.toml:5:14 [material.m]: spacing_nm = 149.9 presses spheres of 250 nm flat; allowed is 0.6 of diameter_nm or "
+     "s.toml:5:14 [material.m]: spacing_nm = 149.9 is too small for spheres of 250 nm; allowed is 0.6 of diameter_nm "
+     "or "
      "more, 150 nm"},
     {"NoPlanes", crystal + "sphere = 1.45\ndiameter_nm = 250\nplanes = 0\n",
      "s.toml:5:10 [material.m]: planes = 0 is out of range; allowed [1, 10000]"},
     {"AbsorbingIncidentMediumOfACrystal", crystal + "sphere = 1.45\ndiameter_nm = 250\nincident = { n = 1.5, k = 1 }\n",
-     "s.toml:5:12 [material.m]: incident absorbs, so no light comes from far away in it; allowed is a medium with k = "
-     "0"},
+     "s.toml:5:12 [material.m]: incident absorbs, so no light reaches the layers through it; allowed is a medium with "
+     "k = 0"},
     {"NegativeSpread", crystal + "sphere = 1.45\ndiameter_nm = 250\nthickness_spread_nm = -1\n",
      "s.toml:5:23 [material.m]: thickness_spread_nm = -1 is out of range; allowed [0, 10000] nm"},
     {"UnknownKeyOfACrystal", crystal + "sphere = 1.45\ndiameter_nm = 250\nlattice = \"bcc\"\n",
@@ -598,14 +600,14 @@ const std::vector<Mistake> scatter_mistakes{
     {"RadiusOfNothing", scatter + "particle = 1.5\nradius_nm = 0\n",
      "s.toml:4:13 [material.m]: radius_nm = 0 is out of range; allowed [0.1, 10000000] nm"},
     {"AbsorbingMedium", scatter + "particle = 1.5\nradius_nm = 20\nmedium = { n = 1.5, k = 1e-9 }\n",
-     "s.toml:5:10 [material.m]: medium absorbs, so no light gets to the particles; allowed is a medium with k = 0"},
+     "s.toml:5:10 [material.m]: medium absorbs, so no light reaches the particles; allowed is a medium with k = 0"},
     {"MetalAsMedium", scatter + "particle = 1.5\nradius_nm = 20\nmedium = \"ag\"\n",
-     "s.toml:5:10 [material.m]: medium absorbs, so no light gets to the particles; allowed is a medium with k = 0"},
+     "s.toml:5:10 [material.m]: medium absorbs, so no light reaches the particles; allowed is a medium with k = 0"},
     {"LargeForRayleigh", scatter + "particle = 1.5\nradius_nm = 58\n",
-     "s.toml:4:13 [material.m]: radius_nm = 58 is no longer small beside the wavelength; use model = \"mie\", or a "
+     "s.toml:4:13 [material.m]: radius_nm = 58 is not small compared with the wavelength; use model = \"mie\", or a "
      "radius up to 57.29 nm"},
     {"LargeForRayleighInWater", scatter + "particle = 1.5\nradius_nm = 50\nmedium = 1.33\n",
-     "s.toml:4:13 [material.m]: radius_nm = 50 is no longer small beside the wavelength; use model = \"mie\", or a "
+     "s.toml:4:13 [material.m]: radius_nm = 50 is not small compared with the wavelength; use model = \"mie\", or a "
      "radius up to 43.07 nm"},
     {"LargeForMie", scatter + "model = \"mie\"\nparticle = 1.5\nradius_nm = 1e6\n",
      "s.toml:5:13 [material.m]: radius_nm = 1e+06 makes spheres of size parameters above 10000; allowed is a radius up "
@@ -622,7 +624,7 @@ const std::vector<Mistake> scatter_mistakes{
     {"LayerOfNothing", scatter + "particle = 1.5\nradius_nm = 20\nthickness_um = 0\n",
      "s.toml:5:16 [material.m]: thickness_um = 0 is out of range; allowed [1e-06, 1000000] um"},
     {"HardRadiusOfMie", scatter + "model = \"mie\"\nparticle = 1.5\nradius_nm = 20\nhard_radius_nm = 30\n",
-     "s.toml:6:18 [material.m]: hard_radius_nm means nothing for model mie; known for quasi_ordered"},
+     "s.toml:6:18 [material.m]: hard_radius_nm has no meaning for model mie; known for quasi_ordered"},
     {"HardRadiusInsideTheParticle",
      scatter + "model = \"quasi_ordered\"\nparticle = 1.5\nradius_nm = 100\nhard_radius_nm = 99\n",
      "s.toml:6:18 [material.m]: hard_radius_nm = 99 is inside the particle; allowed is radius_nm, 100 nm, or more"},
@@ -672,55 +674,60 @@ const std::vector<Mistake> measured_mistakes{
 
 const std::vector<Mistake> effect_mistakes{
     {"BaseOfAPalette", good_palette + "base = 0.5\n",
-     "s.toml:8:1 [material.m]: base means nothing for mechanism palette, which does not say what it lets through; "
+     "s.toml:8:1 [material.m]: base has no meaning for mechanism palette, which has no transmittance; "
      "known for film, stack, crystal"},
     {"BlackBaseOfAPalette", good_palette + "base = \"black\"\n",
-     "s.toml:8:1 [material.m]: base means nothing for mechanism palette, which does not say what it lets through; "
+     "s.toml:8:1 [material.m]: base has no meaning for mechanism palette, which has no transmittance; "
      "known for film, stack, crystal"},
     {"BaseOfAGrating", good_grating + "base = 0.5\n",
-     "s.toml:8:1 [material.m]: base means nothing for mechanism grating, which lets nothing through; known for film, "
+     "s.toml:8:1 [material.m]: base has no meaning for mechanism grating, which transmits nothing; known for film, "
      "stack, crystal"},
     {"BaseOfParticles", good_scatter + "base = 0.5\n",
-     "s.toml:9:1 [material.m]: base means nothing for mechanism scatter, which is only what its particles scatter; "
+     "s.toml:9:1 [material.m]: base has no meaning for mechanism scatter, which models only the light that its "
+     "particles scatter; "
      "known for film, stack, crystal"},
     {"BaseOfAMeasurement", good_measured + "base = 0.5\n",
-     "s.toml:9:1 [material.m]: base means nothing for mechanism measured, which does not say what it lets through; "
+     "s.toml:9:1 [material.m]: base has no meaning for mechanism measured, which has no transmittance; "
      "known for film, stack, crystal"},
     {"TiltOfAGrating", good_grating + "tilt_deg = 5\n",
-     "s.toml:8:1 [material.m]: tilt_deg means nothing for mechanism grating, whose colour does not depend on an angle "
+     "s.toml:8:1 [material.m]: tilt_deg has no meaning for mechanism grating, whose colour does not depend on an angle "
      "to facets; known for palette, film, stack, crystal, measured"},
     {"TiltOfParticles", good_scatter + "tilt_deg = 5\n",
-     "s.toml:9:1 [material.m]: tilt_deg means nothing for mechanism scatter, whose particles have no facets; known for "
+     "s.toml:9:1 [material.m]: tilt_deg has no meaning for mechanism scatter, whose particles have no facets; known "
+     "for "
      "palette, film, stack, crystal, measured"},
     {"PolarisationOfAPalette", good_palette + "polarisation = \"mean\"\n",
-     "s.toml:8:1 [material.m]: polarisation means nothing for mechanism palette, which is of unpolarised light; known "
+     "s.toml:8:1 [material.m]: polarisation has no meaning for mechanism palette, which describes unpolarised light; "
+     "known "
      "for film, stack, crystal, scatter"},
     {"PolarisationOfAGrating", good_grating + "polarisation = \"s\"\n",
-     "s.toml:8:1 [material.m]: polarisation means nothing for mechanism grating, whose orders are of scalar theory; "
+     "s.toml:8:1 [material.m]: polarisation has no meaning for mechanism grating, whose theory is scalar; "
      "known for film, stack, crystal, scatter"},
     {"PolarisationOfAMeasurement", good_measured + "polarisation = \"s\"\n",
-     "s.toml:9:1 [material.m]: polarisation means nothing for mechanism measured, which is of the light that it was "
-     "measured with; known for film, stack, crystal, scatter"},
+     "s.toml:9:1 [material.m]: polarisation has no meaning for mechanism measured, whose light is that of the "
+     "measurement; known for film, stack, crystal, scatter"},
     {"SpreadOfAPalette", good_palette + "thickness_spread_nm = 5\n",
-     "s.toml:8:1 [material.m]: thickness_spread_nm means nothing for mechanism palette, which has no layers; known for "
+     "s.toml:8:1 [material.m]: thickness_spread_nm has no meaning for mechanism palette, which has no layers; known "
+     "for "
      "film, stack, crystal"},
     {"SpreadOfAGrating", good_grating + "thickness_spread_nm = 5\n",
-     "s.toml:8:1 [material.m]: thickness_spread_nm means nothing for mechanism grating, which has no layers; known for "
+     "s.toml:8:1 [material.m]: thickness_spread_nm has no meaning for mechanism grating, which has no layers; known "
+     "for "
      "film, stack, crystal"},
     {"SpreadOfParticles", good_scatter + "thickness_spread_nm = 5\n",
-     "s.toml:9:1 [material.m]: thickness_spread_nm means nothing for mechanism scatter, which has no layers "
-     "(radius_spread is of its particles); known for film, stack, crystal"},
+     "s.toml:9:1 [material.m]: thickness_spread_nm has no meaning for mechanism scatter, which has no layers "
+     "(radius_spread is for its particles); known for film, stack, crystal"},
     {"SpreadOfAMeasurement", good_measured + "thickness_spread_nm = 5\n",
-     "s.toml:9:1 [material.m]: thickness_spread_nm means nothing for mechanism measured, which was measured with its "
-     "spread; known for film, stack, crystal"},
+     "s.toml:9:1 [material.m]: thickness_spread_nm has no meaning for mechanism measured, whose measurement contains "
+     "the spread; known for film, stack, crystal"},
     {"OrdersOfAPalette", good_palette + "orders = [1]\n",
-     "s.toml:8:1 [material.m]: orders means nothing for mechanism palette, which has no diffraction orders; known for "
+     "s.toml:8:1 [material.m]: orders has no meaning for mechanism palette, which has no diffraction orders; known for "
      "grating"},
     {"OrdersOfAFilm", good_film + "orders = [1]\n",
-     "s.toml:7:1 [material.m]: orders means nothing for mechanism film, which has no diffraction orders; known for "
+     "s.toml:7:1 [material.m]: orders has no meaning for mechanism film, which has no diffraction orders; known for "
      "grating"},
     {"OrdersOfACrystal", good_crystal + "orders = [1]\n",
-     "s.toml:9:1 [material.m]: orders means nothing for mechanism crystal, which has no diffraction orders; known for "
+     "s.toml:9:1 [material.m]: orders has no meaning for mechanism crystal, which has no diffraction orders; known for "
      "grating"},
     {"TiltOutOfRange", good_film + "tilt_deg = 61\n",
      "s.toml:7:12 [material.m]: tilt_deg = 61 is out of range; allowed [0, 60] degrees"},

@@ -403,11 +403,11 @@ const std::vector<Mistake> mistakes{
     {"GainInATable", film_with("{ wavelength_nm = [360, 830], n = [1.5, 1.5], k = [0, -1] }"),
      "s.toml:3:63 [material.f]: k = -1 is out of range; allowed [0, 1000]"},
     {"AbsorbingIncidentMedium", std::string(good_film) + "incident = { n = 1.5, k = 0.1 }\n",
-     "s.toml:5:12 [material.f]: incident absorbs, so no light comes from far away in it; allowed is a medium with k = "
-     "0"},
+     "s.toml:5:12 [material.f]: incident absorbs, so no light reaches the layers through it; allowed is a medium with "
+     "k = 0"},
     {"MetalAsIncidentMedium", std::string(good_film) + "incident = \"ag\"\n",
-     "s.toml:5:12 [material.f]: incident absorbs, so no light comes from far away in it; allowed is a medium with k = "
-     "0"},
+     "s.toml:5:12 [material.f]: incident absorbs, so no light reaches the layers through it; allowed is a medium with "
+     "k = 0"},
     {"MaterialThatIsNotKnownThere", film_with("\"late.csv\""),
      "s.toml:3:9 [material.f]: \"late.csv\" is known from 450 to 900 nm, and the light needs 360 to 830 nm; narrow "
      "[light] range_nm, or write outside = \"hold\" to go on with its end values"},
@@ -472,7 +472,7 @@ const std::vector<Mistake> mistakes{
     {"IncoherentThatIsNoWord", stack_of("{ index = 1.5, thickness_nm = 100, incoherent = 1 }"),
      "s.toml:3:60 [material.f]: incoherent = 1; give true or false"},
     {"GroupWithoutLayers", stack_of("{ repeat = 2 }"),
-     "s.toml:3:12 [material.f]: layers is missing; a group with repeat needs what is to be repeated"},
+     "s.toml:3:12 [material.f]: layers is missing; a group with repeat needs layers to repeat"},
     {"UnknownKeyOfALayer", stack_of("{ index = 1.5, thickness_nm = 100, width = 3 }"),
      "s.toml:3:47 [material.f]: unknown key \"width\"; known: layers, repeat, index, thickness_nm, incoherent"},
     {"MisspeltKeyOfALayer", stack_of("{ index = 1.5, thicknes_nm = 100 }"),

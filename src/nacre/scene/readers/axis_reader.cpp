@@ -37,7 +37,7 @@ Axis read_geometric_axis(const Table& lut, std::string_view key, const Value& va
     const AxisKind* kind = find_kind(name);
     if (kind != nullptr && kind->quantity == quantity) return {kind, {}, 0.0, 1.0};
     const std::string what = kind == nullptr ? "unknown axis " + in_quotes(name)
-                                             : "axis " + in_quotes(name) + " means nothing for mechanism " +
+                                             : "axis " + in_quotes(name) + " has no meaning for mechanism " +
                                                    std::string(mechanism_name(mechanism));
     lut.fail(value.where, what + "; known: " + comma_separated(kind_names(quantity)) +
                               ", or { parameter = \"...\", from = ..., to = ... }");

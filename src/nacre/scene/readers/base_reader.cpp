@@ -39,9 +39,9 @@ RgbBase read_rgb(const Table& table) {
     const Upsampled found = upsampled({numbers[0], numbers[1], numbers[2]});
     // None of 20 000 random colours is off by more than 4e-5; if one is, it is said rather than shown.
     if (!(found.ciede2000 <= most_ciede2000)) {
-        table.fail(where, "no smooth reflectance has this colour, the nearest is CIEDE2000 " +
-                              significant_text(found.ciede2000, 2) + " off; allowed is " + number_text(most_ciede2000) +
-                              ", of colours that are less pure");
+        table.fail(where, "no smooth reflectance has this colour; the nearest misses by CIEDE2000 " +
+                              significant_text(found.ciede2000, 2) + "; allowed is " + number_text(most_ciede2000) +
+                              ", which less saturated colours reach");
     }
     return found.base;
 }

@@ -60,7 +60,7 @@ void refuse_others_keys(const Table& table, const Mechanism& mechanism) {
             const std::string_view refusal = refusals.*key.refusal;
             if (key.key != entry.key || refusal.empty()) continue;
             entry.read = true;
-            table.note(entry.key_where, entry.key + " means nothing for mechanism " +
+            table.note(entry.key_where, entry.key + " has no meaning for mechanism " +
                                             std::string(mechanism_name(mechanism)) + ", " + std::string(refusal) +
                                             "; known for " + mechanisms_that_know(key));
         }

@@ -60,7 +60,7 @@ std::vector<double> read_efficiency(const Table& table, const Value& value) {
 
 void refuse_land(const Table& table) {
     if (const Value* land = table.find("land"))
-        table.note(land->where, "land means nothing for a sinusoidal profile; known for lamellar");
+        table.note(land->where, "land has no meaning for a sinusoidal profile; known for lamellar");
 }
 
 void read_profile(const Table& table, Grating& grating) {
@@ -220,9 +220,9 @@ const MechanismReader grating_reader{
     .substrate = nullptr,
     .warning = grating_warning,
     .check_axis = nullptr,
-    .refusals = {.base = "which lets nothing through",
+    .refusals = {.base = "which transmits nothing",
                  .tilt_deg = "whose colour does not depend on an angle to facets",
-                 .polarisation = "whose orders are of scalar theory",
+                 .polarisation = "whose theory is scalar",
                  .thickness_spread_nm = "which has no layers"},
 };
 

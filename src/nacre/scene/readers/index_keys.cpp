@@ -29,7 +29,7 @@ Index read_clear_medium(const Table& table, std::string_view key, const IndexRea
 }
 
 Index read_incident(const Table& table, const IndexReader& reader) {
-    return read_clear_medium(table, "incident", reader, "no light comes from far away in it");
+    return read_clear_medium(table, "incident", reader, "no light reaches the layers through it");
 }
 
 double read_spread(const Table& table) {

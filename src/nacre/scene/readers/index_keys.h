@@ -19,7 +19,7 @@ inline constexpr Allowed allowed_spread{0.0, 1e4, "nm"};
 Index read_required_index(const Table& table, std::string_view key, const IndexReader& reader);
 
 /// A medium that light crosses before it meets anything; air if the key is missing. Notes one that absorbs.
-/// @param consequence  "no light gets to the particles": for the message
+/// @param consequence  "no light reaches the particles": for the message
 Index read_clear_medium(const Table& table, std::string_view key, const IndexReader& reader,
                         std::string_view consequence);
 

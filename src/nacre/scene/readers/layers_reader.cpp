@@ -74,7 +74,7 @@ Layer read_group(const Table& table, Depth depth, const IndexReader& reader) {
     Layer group;
     group.repeat = table.integer_or("repeat", allowed_repeat, 1);
     const Value* layers = table.find("layers");
-    if (layers == nullptr) table.fail_missing("layers", "a group with repeat needs what is to be repeated");
+    if (layers == nullptr) table.fail_missing("layers", "a group with repeat needs layers to repeat");
     group.layers = read_list(table, *layers, depth + 1, reader);
     return group;
 }

@@ -121,8 +121,8 @@ const MechanismReader measured_reader{
     .warning = nullptr,
     .check_axis = nullptr,
     .refusals = {.base = no_transmission,
-                 .polarisation = "which is of the light that it was measured with",
-                 .thickness_spread_nm = "which was measured with its spread",
+                 .polarisation = "whose light is that of the measurement",
+                 .thickness_spread_nm = "whose measurement contains the spread",
                  .orders = no_orders},
 };
 

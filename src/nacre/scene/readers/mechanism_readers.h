@@ -40,7 +40,7 @@ struct MechanismReader {
 
 /// Refusals that several mechanisms share.
 inline constexpr std::string_view no_orders = "which has no diffraction orders";
-inline constexpr std::string_view no_transmission = "which does not say what it lets through";
+inline constexpr std::string_view no_transmission = "which has no transmittance";
 
 extern const MechanismReader palette_reader;
 extern const MechanismReader film_reader;

@@ -186,7 +186,7 @@ const MechanismReader palette_reader{
     .warning = palette_warning,
     .check_axis = check_angles_stay_apart,
     .refusals = {.base = no_transmission,
-                 .polarisation = "which is of unpolarised light",
+                 .polarisation = "which describes unpolarised light",
                  .thickness_spread_nm = "which has no layers",
                  .orders = no_orders},
 };

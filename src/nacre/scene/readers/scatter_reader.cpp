@@ -68,7 +68,7 @@ void check_radius(const Table& table, const Scatter& scatter, const IndexReader&
     const std::string limit = number_text(std::floor(100.0 * largest_nm) / 100.0) + " nm";
     if (scatter.model == ScatterModel::rayleigh) {
         table.note_at("radius_nm", radius +
-                                       " is no longer small beside the wavelength; use model = \"mie\", or a radius "
+                                       " is not small compared with the wavelength; use model = \"mie\", or a radius "
                                        "up to " +
                                        limit);
         return;
@@ -87,7 +87,7 @@ void read_hard_radius(const Table& table, Scatter& scatter) {
     const Value* value = table.find("hard_radius_nm");
     if (value == nullptr) return;
     if (scatter.model != ScatterModel::quasi_ordered) {
-        table.note(value->where, "hard_radius_nm means nothing for model " +
+        table.note(value->where, "hard_radius_nm has no meaning for model " +
                                      std::string(name_of(model_words, scatter.model)) + "; known for quasi_ordered");
         return;
     }
@@ -147,7 +147,7 @@ ReadMechanism read_scatter(const Table& table, const SceneContext& context) {
     Scatter scatter;
     scatter.model = read_word(table, "model", "model", model_words);
     scatter.particle = read_required_index(table, "particle", index);
-    scatter.medium = read_clear_medium(table, "medium", index, "no light gets to the particles");
+    scatter.medium = read_clear_medium(table, "medium", index, "no light reaches the particles");
     scatter.radius_nm = table.number("radius_nm", allowed_radius);
     scatter.radius_spread = table.number_or("radius_spread", allowed_radius_spread, 0.0);
     if (table.is_good()) check_radius(table, scatter, index);
@@ -200,9 +200,9 @@ const MechanismReader scatter_reader{
     .substrate = nullptr,
     .warning = nullptr,
     .check_axis = nullptr,
-    .refusals = {.base = "which is only what its particles scatter",
+    .refusals = {.base = "which models only the light that its particles scatter",
                  .tilt_deg = "whose particles have no facets",
-                 .thickness_spread_nm = "which has no layers (radius_spread is of its particles)",
+                 .thickness_spread_nm = "which has no layers (radius_spread is for its particles)",
                  .orders = no_orders},
 };
 

@@ -66,7 +66,7 @@ std::vector<WantedPick> read_measured_colours(const Table& table, const SceneCon
     table.expect_all_read();
     const Where where = table.find("measured")->where;
     if (quantity_of(start) != Quantity::incidence)
-        table.fail(where, "measured spectra are of light that is reflected as by a mirror, and a grating's is not");
+        table.fail(where, "measured spectra describe mirror reflection, and a grating has none");
     const MeasuredSpectra spectra = context.read_spectra(file, where);
     const std::size_t angles = spectra.angle_deg.size();
     const std::size_t taken = std::min(angles, most_measured);
@@ -112,9 +112,8 @@ void refuse_what_picks_exclude(const Table& table, const Effects& effects) {
     const auto refuse = [&](std::string_view key, const std::string& why) {
         table.note_at(key, std::string(key) + " and picks: " + why + "; remove one of them");
     };
-    if (effects.tilt_deg > 0.0) refuse("tilt_deg", "picks are met by even surfaces, and facets blur what was met");
-    if (effects.both_polarisations)
-        refuse("polarisation", "picks are of one colour, and both polarisations have one each");
+    if (effects.tilt_deg > 0.0) refuse("tilt_deg", "the search takes a surface without facets");
+    if (effects.both_polarisations) refuse("polarisation", "a pick has one colour, and two polarisations have two");
 }
 
 }  // namespace
@@ -128,7 +127,7 @@ ReadMechanism find_mechanism(const Table& table, const SceneContext& context, Me
     const std::string_view name = mechanism_name(search.start);
     if (!context.find_mechanisms) {
         throw Error(table.where().text() + ": picks of a " + std::string(name) +
-                    " need a search, and there is none here");
+                    " need a search, which is not available here");
     }
     for (const WantedPick& pick : picks) search.wanted.push_back(pick.wanted);
     std::vector<FoundMechanism> found = context.find_mechanisms(search);

@@ -110,8 +110,7 @@ MechanismSearch stack_search(const Table& table, const IndexReader& index) {
     }
     if (table.text_or("form", "lamellae") != "lamellae") {
         table.fail_at("form",
-                      "picks lead to lamellae, two materials that take turns; give form = \"lamellae\", or "
-                      "the layers themselves");
+                      "picks lead to lamellae of two alternating materials; give form = \"lamellae\", or all layers");
     }
     Stack stack;
     stack.incident = read_incident(table, index);

@@ -19,7 +19,8 @@ namespace {
 // "dE00 0.021 of 0.1".
 std::string accuracy_text(const PlannedLut& lut, const BakedLut& baked) {
     if (!baked.reached) return "dE00 unknown";
-    return "dE00 " + short_number(*baked.reached) + (lut.wish.has_bound ? " of " + number_text(lut.wish.max_de00) : "");
+    return "dE00 " + short_number(*baked.reached) +
+           (lut.request.has_bound ? " of " + number_text(lut.request.max_de00) : "");
 }
 
 // "25 % of texels are negative (minimum -0.060)", and what was done about it.

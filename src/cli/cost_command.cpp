@@ -47,7 +47,7 @@ int run_cost(const CostOptions& options, Console& console) {
         throw Error(lut.where.text() + " " + lut.name + ": space " + scene.space->name() +
                     " has no inverse to XYZ, so no error can be measured in it; name another [colour] space");
     }
-    const double bound = options.accuracy > 0.0 ? options.accuracy : lut.wish.max_de00;
+    const double bound = options.accuracy > 0.0 ? options.accuracy : lut.request.max_de00;
     const Encoding encoding = lut_encoding(*scene.space, scene.plan.colour.gamut);
     const std::vector<CostRow> rows = measure_costs(lut, encoding, bound, execution_on(1, console));
     const std::string comment = "What accuracy costs: LUT " + lut.name +

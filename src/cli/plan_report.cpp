@@ -31,8 +31,8 @@ std::string axis_text(const Axis& axis) {
 }
 
 std::string bound_text(const ChosenLut& chosen) {
-    if (!chosen.lut.wish.has_bound) return short_number(chosen.predicted.total);
-    return short_number(chosen.predicted.total) + " of " + number_text(chosen.lut.wish.max_de00);
+    if (!chosen.lut.request.has_bound) return short_number(chosen.predicted.total);
+    return short_number(chosen.predicted.total) + " of " + number_text(chosen.lut.request.max_de00);
 }
 
 // The fitted shape of a palette, and what the paper's straight lines would make of each pick.
@@ -74,8 +74,8 @@ void add_picks(Json& json, const Plan& plan, const std::string& name) {
 
 void add_accuracy(Json& json, const DecidedLut& task) {
     const ChosenLut& chosen = task.lut;
-    const AccuracyWish& wish = chosen.lut.wish;
-    json["max_de00"] = wish.has_bound ? Json(wish.max_de00) : Json();
+    const AccuracyRequest& request = chosen.lut.request;
+    json["max_de00"] = request.has_bound ? Json(request.max_de00) : Json();
     json["predicted"] = Json();
     if (task.scene->space->has_inverse()) {
         json["predicted"] = {{"de00", chosen.predicted.total},      {"spectrum", chosen.predicted.spectrum},
@@ -83,7 +83,7 @@ void add_accuracy(Json& json, const DecidedLut& task) {
                              {"effects", chosen.predicted.effects}, {"interpolation", chosen.predicted.interpolation},
                              {"storage", chosen.predicted.storage}};
     }
-    json["reached"] = chosen.is_reached || !wish.has_bound;
+    json["reached"] = chosen.is_reached || !request.has_bound;
     if (!chosen.obstacle.empty()) json["obstacle"] = chosen.obstacle;
 }
 

@@ -50,8 +50,8 @@ Json work_json(const Work& work) {
 
 std::string out_of_reach(const ChosenLut& chosen) {
     const PlannedLut& lut = chosen.lut;
-    return lut.where.text() + " " + lut.name + ": " + (lut.wish.is_binding ? "" : "the default ") +
-           "max_de00 = " + number_text(lut.wish.max_de00) + " cannot be reached; the best is " +
+    return lut.where.text() + " " + lut.name + ": " + (lut.request.is_binding ? "" : "the default ") +
+           "max_de00 = " + number_text(lut.request.max_de00) + " cannot be reached; the best is " +
            significant_text(chosen.predicted.total, 3) + ", with " + size_text(lut.job) + " " +
            std::string(name_of(format_words, lut.format)) + ": " + chosen.obstacle;
 }

@@ -60,7 +60,7 @@ std::size_t report_out_of_reach(const std::vector<DecidedLut>& luts, bool best_e
     std::size_t count = 0;
     for (const DecidedLut& lut : luts) {
         if (!lut.is_out_of_reach()) continue;
-        const bool is_error = lut.lut.lut.wish.is_binding && !best_effort;
+        const bool is_error = lut.lut.lut.request.is_binding && !best_effort;
         is_error ? console.error(out_of_reach(lut.lut)) : console.warning(out_of_reach(lut.lut));
         count += is_error ? 1 : 0;
     }

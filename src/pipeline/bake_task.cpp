@@ -63,17 +63,18 @@ bool writes(const PlannedLut& lut, LutOutput output) {
 // What the measured error says about the bound, in the outcome's words.
 void judge_bound(const BakeTask& task, const BakeTarget& target, BakeOutcome& outcome) {
     const ChosenLut& decided = task.decided->lut;
-    const AccuracyWish& wish = decided.lut.wish;
-    if (!outcome.baked.reached || *outcome.baked.reached <= wish.max_de00) return;
+    const AccuracyRequest& request = decided.lut.request;
+    if (!outcome.baked.reached || *outcome.baked.reached <= request.max_de00) return;
     const std::string error = task.where().text() + " " + task.name() + ": has an error of " +
                               significant_text(*outcome.baked.reached, error_digits);
-    if (wish.is_binding && !target.best_effort) {
+    if (request.is_binding && !target.best_effort) {
         outcome.misses_bound = true;
-        outcome.failure =
-            error + ", more than the promised max_de00 = " + number_text(wish.max_de00) + "; please report this scene";
-    } else if (wish.has_bound && decided.is_reached) {
+        outcome.failure = error + ", more than the promised max_de00 = " + number_text(request.max_de00) +
+                          "; please report this scene";
+    } else if (request.has_bound && decided.is_reached) {
         // A bound that nobody gave is a goal; that it is out of reach was said before, unless the plan did not see it.
-        outcome.warning = error + ", more than max_de00 = " + number_text(wish.max_de00) + "; please report this scene";
+        outcome.warning =
+            error + ", more than max_de00 = " + number_text(request.max_de00) + "; please report this scene";
     }
 }
 

@@ -26,19 +26,19 @@ void decide(DecidedLut& task, const Execution& execution) {
 }  // namespace
 
 bool DecidedLut::is_out_of_reach() const {
-    return failure.empty() && !lut.is_reached && lut.lut.wish.has_bound && scene->space->has_inverse();
+    return failure.empty() && !lut.is_reached && lut.lut.request.has_bound && scene->space->has_inverse();
 }
 
 void override_accuracy(std::vector<LoadedScene>& scenes, const AccuracyOverride& accuracy) {
     for (LoadedScene& scene : scenes) {
         for (PlannedLut& lut : scene.plan.luts) {
-            if (accuracy.may_drop_effects) lut.wish.may_drop_effects = *accuracy.may_drop_effects;
+            if (accuracy.may_drop_effects) lut.request.may_drop_effects = *accuracy.may_drop_effects;
             if (accuracy.max_de00) {
-                lut.wish.max_de00 = *accuracy.max_de00;
-                lut.wish.has_bound = true;
-                lut.wish.is_binding = true;
+                lut.request.max_de00 = *accuracy.max_de00;
+                lut.request.has_bound = true;
+                lut.request.is_binding = true;
             }
-            if (!lut.wish.is_binding || scene.space->has_inverse()) continue;
+            if (!lut.request.is_binding || scene.space->has_inverse()) continue;
             throw Error(lut.where.text() + " " + lut.name + ": space " + scene.space->name() +
                         " has no inverse to XYZ, so no error can be measured in it; give [accuracy] size and no bound");
         }

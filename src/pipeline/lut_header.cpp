@@ -86,10 +86,10 @@ void add_light(Attributes& header, const Job& job) {
 }
 
 void add_accuracy(Attributes& header, const ChosenLut& chosen, const BakedLut& baked) {
-    const AccuracyWish& wish = chosen.lut.wish;
+    const AccuracyRequest& request = chosen.lut.request;
     if (!baked.picked.empty()) header.emplace_back("picked", picked_text(baked.picked));
     if (!chosen.effects.empty()) header.emplace_back("effects", effects_text(chosen.effects));
-    header.emplace_back("accuracyAsked", wish.has_bound ? number_text(wish.max_de00) : "none");
+    header.emplace_back("accuracyAsked", request.has_bound ? number_text(request.max_de00) : "none");
     header.emplace_back("accuracyReached", baked.reached ? number_text(*baked.reached) : "unknown");
 }
 

@@ -65,9 +65,9 @@ void add_light(Json& json, const LightSettings& light, const LutHeader& header) 
 }
 
 void add_accuracy(Json& json, const ChosenLut& chosen, const BakedLut& baked) {
-    const AccuracyWish& wish = chosen.lut.wish;
+    const AccuracyRequest& request = chosen.lut.request;
     Json& accuracy = json["accuracy"];
-    accuracy["max_de00"] = wish.has_bound ? Json(wish.max_de00) : Json();
+    accuracy["max_de00"] = request.has_bound ? Json(request.max_de00) : Json();
     accuracy["predicted"] = baked.reached ? Json(rounded_up(chosen.predicted.total)) : Json();
     accuracy["reached"] = baked.reached ? Json(*baked.reached) : Json();
     for (const EffectChoice& choice : chosen.effects) {

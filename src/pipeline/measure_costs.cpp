@@ -40,8 +40,8 @@ double median_seconds(const std::function<Image<Rgb>()>& make, const Execution& 
 double overhead_seconds(const CostCase& cost, const PlannedLut& lut, const Encoding& encoding,
                         const Execution& execution) {
     PlannedLut asked = lut;
-    asked.wish = {};
-    asked.wish.max_de00 = cost.bound;
+    asked.request = {};
+    asked.request.max_de00 = cost.bound;
     asked.job.light = cost.job.light;
     const double start = now();
     const ChosenLut chosen = choose_lut(asked, encoding, execution.step);

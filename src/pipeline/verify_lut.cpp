@@ -59,11 +59,11 @@ Plan plan_of_header(const StoredLut& stored) {
     Plan plan = plan_scene(parse_scene(scene, "header"), {refuse_file, find_shipped, refuse_spectra});
     if (plan.luts.size() != 1 || !plan.swatches.empty()) throw Error("the scene in the header holds more than one LUT");
     const PlannedLut& lut = plan.luts.front();
-    const int height = lut.job.y ? lut.wish.height.value_or(0) : 1;
-    if (lut.wish.width != stored.image.width() || height != stored.image.height()) {
+    const int height = lut.job.y ? lut.request.height.value_or(0) : 1;
+    if (lut.request.width != stored.image.width() || height != stored.image.height()) {
         throw Error("the scene in the header makes another size");
     }
-    if (lut.wish.format != stored.format) throw Error("the scene in the header asks for another number format");
+    if (lut.request.format != stored.format) throw Error("the scene in the header asks for another number format");
     return plan;
 }
 

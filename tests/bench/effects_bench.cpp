@@ -2,8 +2,9 @@
 // loop. Read the ratios.
 //
 //   adds     time with the effect over the time without
-//   ratio    the rival's time over ours
-//   dE00     largest CIEDE2000 over the LUT, at the scale of its brightest texel: ours and the rival's, each against a
+//   ratio    the baseline's time over ours
+//   dE00     largest CIEDE2000 over the LUT, at the scale of its brightest texel: ours and the baseline's, each against
+//   a
 //            sum of many more points
 #include <benchmark/benchmark.h>
 
@@ -18,7 +19,7 @@
 #include "bench/lut_colours.h"
 #include "io/ocio/colour_config.h"
 #include "nacre/base/gauss_points.h"
-#include "nacre/cost/rivals.h"
+#include "nacre/cost/baselines.h"
 #include "nacre/lut/planned_lut.h"
 #include "nacre/shade/layered_colour.h"
 #include "nacre/shade/prepared_colour.h"
@@ -38,20 +39,20 @@ Mechanism palette() {
 using Way = std::function<Colours()>;
 
 // @param plain  the same without the effect
-// @param truth  empty: the rival's way is exact
-void compare(benchmark::State& state, const Job& job, const Job& plain, const Way& rival, const Way& truth) {
+// @param truth  empty: the baseline's way is exact
+void compare(benchmark::State& state, const Job& job, const Job& plain, const Way& baseline, const Way& truth) {
     double ours = 0.0, less = 0.0, theirs = 0.0;
     for (auto _ : state) {
         ours += seconds_of([&] { benchmark::DoNotOptimize(bake(job)); });
         less += seconds_of([&] { benchmark::DoNotOptimize(bake(plain)); });
-        theirs += seconds_of([&] { benchmark::DoNotOptimize(rival()); });
+        theirs += seconds_of([&] { benchmark::DoNotOptimize(baseline()); });
     }
-    const Colours true_colours = truth ? truth() : rival();
+    const Colours true_colours = truth ? truth() : baseline();
     state.counters["us"] = 1e6 * ours / static_cast<double>(state.iterations());
     state.counters["adds"] = ours / less;
     state.counters["ratio"] = theirs / ours;
     state.counters["dE00"] = largest_difference(colours_of(bake(job)), true_colours);
-    if (truth) state.counters["rival_dE00"] = largest_difference(rival(), true_colours);
+    if (truth) state.counters["baseline_dE00"] = largest_difference(baseline(), true_colours);
 }
 
 // ---- Tilt: facet after facet, each with its own integral over wavelength ----
@@ -164,7 +165,7 @@ Mechanism stack_of_20(Polarisation polarisation) {
     mechanism.effects.polarisation = polarisation;
     return mechanism;
 }
-// The rival: spectra of both, of which one is summed.
+// The baseline: spectra of both, of which one is summed.
 void stack_in_s_light(benchmark::State& state) {
     const Mechanism mechanism = stack_of_20(Polarisation::s);
     Job job = decided(mechanism);
@@ -203,7 +204,7 @@ void decide_and_bake(benchmark::State& state, double strength) {
     lut.job.material = {"film", mechanism, {}};
     lut.job.light = d65();
     PlannedLut all = lut;
-    all.wish.may_drop_effects = false;
+    all.request.may_drop_effects = false;
     const ColourTransform transform = ColourConfig::open({"", "", "bench"}).to_colour_space("lin_rec709", "bench");
     const Encoding encoding = lut_encoding(transform, Gamut::keep);
     double ours = 0.0, theirs = 0.0, baking = 0.0, baking_all = 0.0;
@@ -217,7 +218,7 @@ void decide_and_bake(benchmark::State& state, double strength) {
         state.counters["effects_dE00"] = chosen.predicted.effects;
     }
     state.counters["decide_ms"] = 1e3 * ours / static_cast<double>(state.iterations());
-    state.counters["decide_ratio"] = theirs / ours;  // the rival simulates whatever the scene names
+    state.counters["decide_ratio"] = theirs / ours;  // the baseline simulates whatever the scene names
     state.counters["bake_ratio"] = baking_all / baking;
 }
 

@@ -12,7 +12,7 @@
 namespace nacre::bench {
 namespace {
 
-// The rival: a sum over wavelength with the same orders, whose efficiencies are kept; one sine for all orders.
+// The baseline: a sum over wavelength with the same orders, whose efficiencies are kept; one sine for all orders.
 class GratingSum {
 public:
     GratingSum(const Grating& grating, const Light& light, int per_nm) : grating_(grating) {

@@ -1,5 +1,5 @@
 // One lobe to XYZ, widths 40 to 400 nm: the exact integral and the fast one beside the sums that others make, and
-// beside their simple twin. And back: a colour to its lobe, beside the nearest of a table.
+// beside their scalar reference implementation. And back: a colour to its lobe, beside the nearest of a table.
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
@@ -14,7 +14,7 @@
 #include "nacre/colour/light.h"
 #include "nacre/colour/lobe_moments.h"
 #include "nacre/colour/tristimulus.h"
-#include "nacre/cost/rivals.h"
+#include "nacre/cost/baselines.h"
 #include "nacre/optics/lobe.h"
 #include "nacre/pick/lobe/lobe_finder.h"
 
@@ -85,7 +85,7 @@ void good_1nm_sum(benchmark::State& state) {
     LightSettings settings;
     settings.power = *illuminant_by_name("D65");
     settings.adaptation = Adaptation::none;
-    const auto sum = make_sum_rival(make_light(settings), 1);
+    const auto sum = make_sum_baseline(make_light(settings), 1);
     over_widths(state, [&](const Lobe& l) { return sum->to_xyz(l); });
 }
 void exact_per_cell(benchmark::State& state) {

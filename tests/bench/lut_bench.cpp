@@ -25,8 +25,8 @@ PlannedLut planned_lut(std::optional<int> wavelengths) {
 }
 
 ChosenLut settle_at_256(PlannedLut lut, const ColourTransform& transform) {
-    lut.wish.width = 256;
-    lut.wish.is_binding = lut.wish.has_bound = false;
+    lut.request.width = 256;
+    lut.request.is_binding = lut.request.has_bound = false;
     return choose_lut(lut, lut_encoding(transform, Gamut::keep));
 }
 

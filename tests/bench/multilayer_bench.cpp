@@ -15,7 +15,7 @@
 
 #include "io/ocio/colour_config.h"
 #include "nacre/colour/illuminant.h"
-#include "nacre/cost/rivals.h"
+#include "nacre/cost/baselines.h"
 #include "nacre/lut/bake.h"
 #include "nacre/lut/planned_lut.h"
 #include "nacre/optics/multilayer/multilayer.h"
@@ -69,7 +69,7 @@ LayerSystem film() {
     return builder.take();
 }
 
-// ---- The rival: characteristic matrices in std::complex, one wavelength and angle after the other ----
+// ---- The baseline: characteristic matrices in std::complex, one wavelength and angle after the other ----
 
 // As a good programmer writes it who does not reach for SIMD: repeats multiplied out once, indices looked up once per
 // wavelength, squares of indices kept, s and p share roots, sines and cosines; products are written out, for those of
@@ -175,16 +175,16 @@ double seconds_of(const std::function<void()>& work) {
     return static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
 }
 
-// The largest difference between the two: what makes the rival a rival.
+// The largest difference between the two: what makes the baseline a baseline.
 double largest_difference(const LayerSystem& system, const std::vector<double>& nm) {
     const MultilayerSolver solver(system, nm);
-    ScalarMatrices rival(system, nm);
+    ScalarMatrices baseline(system, nm);
     std::vector<Response> ours(nm.size());
     std::vector<double> theirs(nm.size());
     double largest = 0.0;
     for (int i = 1; i < angles; ++i) {
         solver.responses(incidence_of(i), ours);
-        rival.reflectances(incidence_of(i), theirs.data());
+        baseline.reflectances(incidence_of(i), theirs.data());
         for (std::size_t k = 0; k < nm.size(); ++k)
             largest = std::max(largest, std::abs(ours[k].reflectance() - theirs[k]));
     }
@@ -196,7 +196,7 @@ double largest_difference(const LayerSystem& system, const std::vector<double>& 
 // Both in turn inside of one loop, so that whatever else the machine does slows both.
 void spectra(benchmark::State& state, const LayerSystem& system) {
     const std::vector<double> nm = wavelengths_nm();
-    ScalarMatrices rival(system, nm);
+    ScalarMatrices baseline(system, nm);
     std::vector<Response> responses(nm.size());
     std::vector<double> reflectances(nm.size());
     double ours = 0.0, summed = 0.0, theirs = 0.0;
@@ -219,7 +219,7 @@ void spectra(benchmark::State& state, const LayerSystem& system) {
         });
         theirs += seconds_of([&] {
             for (int i = 0; i < angles; ++i) {
-                rival.reflectances(incidence_of(i), reflectances.data());
+                baseline.reflectances(incidence_of(i), reflectances.data());
                 benchmark::DoNotOptimize(reflectances.data());
             }
         });
@@ -227,7 +227,7 @@ void spectra(benchmark::State& state, const LayerSystem& system) {
     const double samples = static_cast<double>(state.iterations()) * angles * wavelengths;
     state.counters["ns_per_sample"] = 1e9 * ours / samples;             // R and T of s and p
     state.counters["ns_per_weighted_sample"] = 1e9 * summed / samples;  // R only, summed at once: what a bake does
-    state.counters["rival_ns_per_sample"] = 1e9 * theirs / samples;
+    state.counters["baseline_ns_per_sample"] = 1e9 * theirs / samples;
     state.counters["ratio"] = theirs / ours;
     state.counters["weighted_ratio"] = theirs / summed;
     state.counters["difference"] = largest_difference(system, nm);
@@ -262,8 +262,8 @@ PlannedLut planned_lut() {
     lut.job.material = {"stack", mechanism, {}};
     lut.job.light = std::make_shared<const Light>(make_light(settings));
     lut.job.width = 256;
-    lut.wish.width = 256;
-    lut.wish.max_de00 = 0.02;
+    lut.request.width = 256;
+    lut.request.max_de00 = 0.02;
     return lut;
 }
 
@@ -271,7 +271,7 @@ ColourTransform to_rec709() {
     return ColourConfig::open({"", "", "bench"}).to_colour_space("lin_rec709", "bench");
 }
 
-// Texels of the chosen job; a sum over every nanometre with the same solver; and with the rival's.
+// Texels of the chosen job; a sum over every nanometre with the same solver; and with the baseline's.
 void lut_256_of_20_layers(benchmark::State& state) {
     const ColourTransform transform = to_rec709();
     const ChosenLut chosen = choose_lut(planned_lut(), lut_encoding(transform, Gamut::keep));
@@ -289,10 +289,10 @@ void lut_256_of_20_layers(benchmark::State& state) {
             benchmark::DoNotOptimize(bake(sampled));
         });
         theirs += seconds_of([&] {
-            ScalarMatrices rival(system, sum.wavelength_nm);
+            ScalarMatrices baseline(system, sum.wavelength_nm);
             std::vector<double> reflectances(sum.wavelength_nm.size());
             for (int i = 0; i < angles; ++i) {
-                rival.reflectances(incidence_of(i), reflectances.data());
+                baseline.reflectances(incidence_of(i), reflectances.data());
                 Xyz seen;
                 for (std::size_t k = 0; k < reflectances.size(); ++k) {
                     seen.x += reflectances[k] * sum.x[k];
@@ -317,7 +317,7 @@ void lut_256_of_20_layers(benchmark::State& state) {
 // Deciding on that LUT's size, format and nodes.
 void decide_20_layers_for_0_02(benchmark::State& state) {
     PlannedLut lut = planned_lut();
-    lut.wish.width.reset();
+    lut.request.width.reset();
     const ColourTransform transform = to_rec709();
     const Encoding encoding = lut_encoding(transform, Gamut::keep);
     for (auto _ : state) benchmark::DoNotOptimize(choose_lut(lut, encoding));
@@ -325,7 +325,8 @@ void decide_20_layers_for_0_02(benchmark::State& state) {
 
 // ---- Ten thousand layers ----
 
-// At every fifth nanometre, which is what time allows the rival: 256 angles of ours; four of the rival's, times 64.
+// At every fifth nanometre, which is what time allows the baseline: 256 angles of ours; four of the baseline's,
+// times 64.
 void ten_thousand(benchmark::State& state, const LayerSystem& system) {
     std::vector<double> nm;
     for (int i = 0; i <= 80; ++i) nm.push_back(380.0 + 5.0 * i);
@@ -342,9 +343,9 @@ void ten_thousand(benchmark::State& state, const LayerSystem& system) {
             }
         });
         theirs += every * seconds_of([&] {
-                      ScalarMatrices rival(system, nm);
+                      ScalarMatrices baseline(system, nm);
                       for (int i = every - 1; i < angles; i += every) {
-                          rival.reflectances(incidence_of(i), reflectances.data());
+                          baseline.reflectances(incidence_of(i), reflectances.data());
                           benchmark::DoNotOptimize(reflectances.data());
                       }
                   });

@@ -9,14 +9,14 @@
 #include <vector>
 
 #include "bench/lut_colours.h"
-#include "nacre/cost/rivals.h"
+#include "nacre/cost/baselines.h"
 #include "nacre/optics/mie.h"
 #include "nacre/shade/scatter_colour.h"
 
 namespace nacre::bench {
 namespace {
 
-// The rival, as everybody has it: Riccati-Bessel functions by recurrence upwards, logarithmic derivatives downwards,
+// The baseline, as everybody has it: Riccati-Bessel functions by recurrence upwards, logarithmic derivatives downwards,
 // x + 4 cbrt(x) + 2 terms (Bohren & Huffman 1983, section 4.8). It begins downwards at 15 beyond |m x|, which is too
 // few for large spheres. @returns the efficiency of scattering
 double textbook_q_sca(double x, std::complex<double> m) {
@@ -47,7 +47,7 @@ double textbook_q_sca(double x, std::complex<double> m) {
 }
 
 // Ours also has coefficients, absorption and asymmetry, to 1e-12 (tests/nacre/optics/mie_test.cpp), which is what the
-// rival's q_sca is held against.
+// baseline's q_sca is held against.
 void sphere(benchmark::State& state, double x) {
     const std::complex<double> m(1.59, 1e-3);
     constexpr int times = 64;
@@ -67,7 +67,7 @@ void sphere(benchmark::State& state, double x) {
     }
     state.counters["us"] = 1e6 * ours / (times * static_cast<double>(state.iterations()));
     state.counters["ratio"] = theirs / ours;
-    state.counters["rival_digits"] = -std::log10(std::max(error, 1e-17));
+    state.counters["baseline_digits"] = -std::log10(std::max(error, 1e-17));
 }
 
 // ---- A LUT: spheres once, and then angles ----

@@ -54,7 +54,7 @@ TEST(Promises, OfATiltedFilmAreNotHundredsOfTimesTooHigh) {
     }
 }
 
-// Counts that the user insists on are judged like those that nacre finds.
+// Counts that the user requests are judged like those that nacre finds.
 TEST(Promises, CountWhatGivenSumsErrBy) {
     const std::string mie =
         "mechanism = \"scatter\"\nmodel = \"mie\"\nparticle = 1.5\nmedium = 1.33\nradius_nm = 100\nradius_spread = "

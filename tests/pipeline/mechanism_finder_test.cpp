@@ -36,8 +36,8 @@ using reference::Uniform;
 constexpr int all_cases = 200;
 
 bool sweeps() {
-    const char* wish = std::getenv("NACRE_PICK_SWEEP");
-    return wish != nullptr && std::string(wish) == "1";
+    const char* request = std::getenv("NACRE_PICK_SWEEP");
+    return request != nullptr && std::string(request) == "1";
 }
 
 Plan plan_of(const std::string& material) {

@@ -36,7 +36,7 @@ std::vector<ModelScene> random_effects();
 /// "s007"
 std::string numbered(char kind, int index);
 
-/// Size and format that a scene insists on.
+/// Size and format that a scene requests.
 struct FixedLut {
     int width = 256, height = 1;
     StoredAs format = StoredAs::half_float;

@@ -150,11 +150,11 @@ inline Work without_effects(Work work) {
 }
 
 /// A LUT that leaves its size open.
-inline PlannedLut wished_lut(Job job, double max_de00) {
+inline PlannedLut requested_lut(Job job, double max_de00) {
     PlannedLut lut;
     lut.name = "lut";
     lut.job = std::move(job);
-    lut.wish.max_de00 = max_de00;
+    lut.request.max_de00 = max_de00;
     return lut;
 }
 

@@ -9,8 +9,8 @@
 namespace nacre {
 namespace {
 
-std::vector<int> sizes_from(const std::optional<int>& wish, int smallest) {
-    if (wish) return {*wish};
+std::vector<int> sizes_from(const std::optional<int>& request, int smallest) {
+    if (request) return {*request};
     std::vector<int> sizes;
     for (int size = 2; size <= largest_lut_size; size *= 2) {
         if (size >= smallest) sizes.push_back(size);
@@ -18,21 +18,21 @@ std::vector<int> sizes_from(const std::optional<int>& wish, int smallest) {
     return sizes;
 }
 
-std::vector<PixelFormat> formats_of(const std::optional<PixelFormat>& wish) {
-    if (wish) return {*wish};
+std::vector<PixelFormat> formats_of(const std::optional<PixelFormat>& request) {
+    if (request) return {*request};
     return {PixelFormat::half_float, PixelFormat::single_float};
 }
 
 }  // namespace
 
-std::vector<Candidate> candidates_from(const AccuracyWish& wish, bool is_2d, int narrowest, int lowest,
+std::vector<Candidate> candidates_from(const AccuracyRequest& request, bool is_2d, int narrowest, int lowest,
                                        std::int64_t fewest, std::int64_t most) {
-    const std::vector<int> heights = is_2d ? sizes_from(wish.height, lowest) : std::vector<int>{1};
-    const bool is_given = wish.width && (wish.height || !is_2d);
+    const std::vector<int> heights = is_2d ? sizes_from(request.height, lowest) : std::vector<int>{1};
+    const bool is_given = request.width && (request.height || !is_2d);
     std::vector<Candidate> all;
     for (const int height : heights) {
-        for (const int width : sizes_from(wish.width, narrowest)) {
-            for (const PixelFormat format : formats_of(wish.format)) {
+        for (const int width : sizes_from(request.width, narrowest)) {
+            for (const PixelFormat format : formats_of(request.format)) {
                 const Candidate candidate{width, height, format};
                 const bool is_allowed = candidate.texels() >= fewest && candidate.texels() <= most;
                 if (is_given || is_allowed) all.push_back(candidate);

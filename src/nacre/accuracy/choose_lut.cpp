@@ -13,9 +13,9 @@
 namespace nacre {
 namespace {
 
-// Where errors cannot be known: what the scene insists on, and else sizes that suit most materials.
+// Where errors cannot be known: what the scene requests, and else sizes that suit most materials.
 ChosenLut choose_without_errors(const PlannedLut& lut, const AfterRow& after_step) {
-    if (lut.wish.is_binding) {
+    if (lut.request.is_binding) {
         throw Error(
             "the colour space has no inverse to XYZ, so its errors cannot be measured; give [accuracy] size "
             "instead of a bound");
@@ -28,9 +28,9 @@ ChosenLut choose_without_errors(const PlannedLut& lut, const AfterRow& after_ste
     result.effects = std::move(survey.effects);
     result.predicted = survey.known;
     result.is_reached = false;
-    result.lut.job.width = lut.wish.width.value_or(usual_width);
-    result.lut.job.height = lut.job.y ? lut.wish.height.value_or(usual_height) : 1;
-    result.lut.format = lut.wish.format.value_or(PixelFormat::half_float);
+    result.lut.job.width = lut.request.width.value_or(usual_width);
+    result.lut.job.height = lut.job.y ? lut.request.height.value_or(usual_height) : 1;
+    result.lut.format = lut.request.format.value_or(PixelFormat::half_float);
     return result;
 }
 

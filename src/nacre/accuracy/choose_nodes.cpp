@@ -2,7 +2,7 @@
 //
 // In: the probes of a job, a sampling whose slices and radii are chosen (fewer of them would change what a spectrum
 // looks like), and a tolerance. Then, in this order:
-//   1. A scene that insists on its `wavelengths` gets these, and every fringe as they sample it.
+//   1. A scene that requests its `wavelengths` gets these, and every fringe as they sample it.
 //   2. A layer whose fringes are fine beside everything else in the spectrum becomes incoherent, if thick_layers() sees
 //      that this changes nothing that counts: it would need thousands of nodes.
 //   3. Band after band, from normal incidence to grazing, nodes start at two per fringe (Nyquist) and grow by a quarter

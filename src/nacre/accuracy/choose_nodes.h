@@ -22,7 +22,7 @@ struct ChosenNodes {
 /// @param sampling   the slices and radii are chosen
 /// @param tolerance  CIEDE2000 at the scale of the brightest probe; twice and three times that in the two bands next to
 ///                   grazing
-/// @param requested  what the scene insists on, compared with the nodes that would do; 0: nothing
+/// @param requested  what the scene requests, compared with the nodes that would do; 0: nothing
 /// @pre samples_spectra() of the job's mechanism
 ChosenNodes choose_nodes(const Probes& probes, SpectralSampling sampling, double tolerance, const NodeCounts& requested,
                          ProbeTally& tally);

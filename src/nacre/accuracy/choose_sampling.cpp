@@ -1,7 +1,7 @@
 // How a material's colours are sampled, and which of its effects are simulated.
 //
 // In: a job (a material, a light, axes), what each part of the sampling may err by, and the numbers that the scene
-// insists on. Colours at probes all over the axes (probes.h) are compared in this order:
+// requests. Colours at probes all over the axes (probes.h) are compared in this order:
 //   1. Radii of scattering spheres and slices of crystals, because they change what a spectrum looks like.
 //   2. The nodes of spectra (choose_nodes.cpp).
 //   3. Effects: each is left out for once, with these nodes (choose_effects.cpp).

@@ -35,10 +35,10 @@ struct SamplingTolerance {
 /// that in the two bands next to grazing; between probes they may err by half as much again), and likewise the fewest
 /// points of every other sum.
 ///
-/// The light's own `wavelengths` are taken if the scene insists on them; job.without is left out, and what that changes
+/// The light's own `wavelengths` are taken if the scene requests them; job.without is left out, and what that changes
 /// is an error like any other. A job of thousands of layers may need more than a search should take: then the search
 /// ends with what it has, and tells its error.
-/// @param requested   what the caller insists on; 0: to be chosen
+/// @param requested   what the caller requests; 0: to be chosen
 /// @param after_step  called every few colours; what it throws ends the choice
 ChosenSampling choose_sampling(const Job& job, const SamplingTolerance& tolerance, const SamplingCounts& requested = {},
                                const std::function<void()>& after_step = {});

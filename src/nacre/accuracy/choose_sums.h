@@ -12,7 +12,7 @@ struct ChosenCount {
 };
 
 // The fewest points of each sum that keep colours within a tolerance at the probes. `sampling` is what was chosen so
-// far; `requested` is what the scene insists on, whose error is found all the same; 0: nothing.
+// far; `requested` is what the scene requests, whose error is found all the same; 0: nothing.
 
 /// Radii of scattering spheres. @pre the job has Effect::size_spread
 ChosenCount choose_radii(const Probes& probes, const SpectralSampling& sampling, double tolerance, int requested,

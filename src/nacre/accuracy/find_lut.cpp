@@ -93,16 +93,17 @@ struct CandidateList {
 };
 
 CandidateList list_candidates(const LutSearch& search, Work& work) {
-    const AccuracyWish& wish = search.survey.lut.wish;
+    const AccuracyRequest& request = search.survey.lut.request;
     const bool is_2d = search.survey.is_2d();
-    const int narrowest = is_2d && !wish.width ? smallest_side(search, true, work) : 2;
-    const int lowest = is_2d && !wish.height ? smallest_side(search, false, work) : 2;
-    if (is_spent(search, work)) return {candidates_from(wish, is_2d, 2, 2, fewest_when_spent, most_when_spent), false};
+    const int narrowest = is_2d && !request.width ? smallest_side(search, true, work) : 2;
+    const int lowest = is_2d && !request.height ? smallest_side(search, false, work) : 2;
+    if (is_spent(search, work))
+        return {candidates_from(request, is_2d, 2, 2, fewest_when_spent, most_when_spent), false};
     const std::int64_t most = search.survey.effort.most_texels();
-    std::vector<Candidate> candidates = candidates_from(wish, is_2d, narrowest, lowest, 0, most);
+    std::vector<Candidate> candidates = candidates_from(request, is_2d, narrowest, lowest, 0, most);
     if (!candidates.empty()) return {std::move(candidates), true};
     // Not even the least is little enough: one of the large ones, whatever its shape, is the best there is.
-    return {candidates_from(wish, is_2d, 2, 2, most / 4, most), false};
+    return {candidates_from(request, is_2d, 2, 2, most / 4, most), false};
 }
 
 // Where candidates failed, the last first.
@@ -115,7 +116,7 @@ void remember(std::vector<LutPoint>& failures, LutPoint point) {
 std::optional<FoundLut> find_smallest(const LutSearch& search, const std::vector<Candidate>& candidates,
                                       std::vector<LutPoint>& failures, Work& work) {
     const LutSurvey& survey = search.survey;
-    const bool is_judged = survey.lut.wish.has_bound || candidates.size() > 1;
+    const bool is_judged = survey.lut.request.has_bound || candidates.size() > 1;
     const double limit = scan_limit(survey);
     const bool has_means = survey.known.spread > 0.0 || survey.known.quadrature > 0.0;
     for (const Candidate& candidate : candidates) {
@@ -129,7 +130,7 @@ std::optional<FoundLut> find_smallest(const LutSearch& search, const std::vector
         }
         // A mean may be too rough for any LUT.
         const bool is_reached =
-            scan.largest <= limit && (!has_means || judged_error(survey, scan.largest) <= survey.lut.wish.max_de00);
+            scan.largest <= limit && (!has_means || judged_error(survey, scan.largest) <= survey.lut.request.max_de00);
         return FoundLut{candidate, std::move(scan), trial.storage_error(), is_reached};
     }
     return std::nullopt;

@@ -21,25 +21,25 @@ std::string error_text(double error) {
 
 std::string between_texels(const ChosenLut& chosen, const SearchEnd& end) {
     const Job& job = chosen.lut.job;
-    const AccuracyWish& wish = chosen.lut.wish;
+    const AccuracyRequest& request = chosen.lut.request;
     std::string text =
         "interpolation between " + size_text(job) + " texels costs " + error_text(chosen.predicted.interpolation);
     if (end.is_effort_spent) return text + ", and trying more would take too long: give a larger bound, or size";
-    if (wish.width || (job.y && wish.height)) return text + ": leave size out, or give a larger one";
+    if (request.width || (job.y && request.height)) return text + ": leave size out, or give a larger one";
     text += ", and " + std::to_string(end.most_texels) + " texels are the most that nacre tries: give a larger bound";
     return job.y ? text + ", or size" : text;
 }
 
 // A mean or sum that is too rough: where it can be set, and whether the scene sets it.
 std::string of_sums(const ChosenLut& chosen) {
-    const SamplingCounts& given = chosen.lut.wish.sampling;
+    const SamplingCounts& given = chosen.lut.request.sampling;
     const bool is_given = given.base_directions > 0 || given.radii > 0 || given.slices > 0;
     return "sums over base, radii or slices cost " + error_text(chosen.predicted.quadrature) +
            (is_given ? ": give more of them in [accuracy.sampling], or none" : ": give a larger bound");
 }
 
 std::string of_thickness_samples(const ChosenLut& chosen) {
-    const bool is_given = chosen.lut.wish.sampling.thickness_samples > 0;
+    const bool is_given = chosen.lut.request.sampling.thickness_samples > 0;
     return std::to_string(chosen.lut.job.sampling.thickness_samples) + " samples of uneven thicknesses cost " +
            error_text(chosen.predicted.spread) +
            (is_given ? ": give more in [accuracy.sampling] thickness_samples"
@@ -53,7 +53,7 @@ std::string of_format(const ChosenLut& chosen) {
 }
 
 std::string of_nodes(const ChosenLut& chosen) {
-    const bool is_given = chosen.lut.wish.sampling.nodes.front() > 0;
+    const bool is_given = chosen.lut.request.sampling.nodes.front() > 0;
     return integration_text(chosen.lut.job) + " cost " + error_text(chosen.predicted.spectrum) +
            (is_given ? ": leave nodes out, or give more" : ": give a larger bound");
 }
@@ -62,7 +62,7 @@ std::string of_nodes(const ChosenLut& chosen) {
 
 std::string limiting_factor(const ChosenLut& chosen, const SearchEnd& end) {
     const ErrorSplit& split = chosen.predicted;
-    if (split.effects > 0.5 * chosen.lut.wish.max_de00) {
+    if (split.effects > 0.5 * chosen.lut.request.max_de00) {
         return "effects that the scene leaves out cost " + error_text(split.effects) + ": take them out of without";
     }
     if (split.quadrature > std::max({split.interpolation, split.spectrum, split.storage, split.spread}))

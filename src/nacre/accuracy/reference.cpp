@@ -223,7 +223,7 @@ Xyz Reference::layered(const Mechanism& mechanism, const Incidence& incidence) c
         add_nanometre(nm, parts, is_smooth, waves);
         if (waves.nm.size() < enough_at_once && nm + 1 < light.last_nm) continue;
         const bool by_scalar =
-            ensemble.systems.size() == 1 && parts < most_parts_of_scalar && layers <= most_twin_layers;
+            ensemble.systems.size() == 1 && parts < most_parts_of_scalar && layers <= most_scalar_layers;
         const std::vector<Response> responses = mean_responses(ensemble, incidence, waves.nm, by_scalar);
         for (std::size_t i = 0; i < responses.size(); ++i) {
             const double seen =

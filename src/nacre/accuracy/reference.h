@@ -16,10 +16,10 @@ namespace nacre {
 /// Reflectance at single wavelengths, integrated by Gauss-Legendre quadrature over every nanometre, against weights
 /// made anew from the CIE's tables and the illuminant. It shares a mechanism's formulas with the bake, but nothing of
 /// how spectra become XYZ: no closed form, no moments, no nodes, no grid, no SIMD. Every effect of the scene is there,
-/// whatever the bake leaves out. Layers of up to `most_twin_layers` are solved by the solver's simple twin, more by the
-/// solver itself at other wavelengths; uneven ones have the bake's realisations, whose number is part of the model. A
-/// grating's lines are walked through wave by wave. A base's directions and a surface's facets are summed by midpoint
-/// rules with far more points.
+/// whatever the bake leaves out. Layers of up to `most_scalar_layers` are solved by the solver's scalar reference
+/// implementation, more by the solver itself at other wavelengths; uneven ones have the bake's realisations, whose
+/// number is part of the model. A grating's lines are walked through wave by wave. A base's directions and a surface's
+/// facets are summed by midpoint rules with far more points.
 class Reference {
 public:
     /// @param job  has to outlive the reference
@@ -30,7 +30,7 @@ public:
     /// Accuracy: 1e-9 for bands of 4 nm and more, 1e-7 for narrower ones; 1e-6 for layers, 1e-5 for the rest.
     Xyz at(double x, double y = 0.0) const;
 
-    static constexpr double most_twin_layers = 40.0;
+    static constexpr double most_scalar_layers = 40.0;
 
 private:
     /// A wavelength and the length that it stands for.

@@ -3,7 +3,7 @@
 // In: a planned LUT, whose bound is split between the parts of its error. In this order:
 //   1. The sampling of spectra and sums, and the effects (choose_sampling.cpp), each within its share of the bound.
 //   2. A small bake, which says how bright the LUT is shown: colour differences depend on it.
-//   3. If the scene insists on `wavelengths`, the same bake by the true integral: the difference is the spectrum's
+//   3. If the scene requests `wavelengths`, the same bake by the true integral: the difference is the spectrum's
 //   error.
 //   4. In 1D, a curve of the colours, if they are expensive: a search asks for thousands of them. If the curve itself
 //      would take too long there is none, and colours are computed one by one.
@@ -42,20 +42,20 @@ constexpr double most_share_of_spread = 0.5;
 
 SpectrumError spectrum_error_of(const PlannedLut& lut) {
     if (lut.job.light->settings.wavelengths)
-        return lut.wish.has_bound ? SpectrumError::in_scan : SpectrumError::not_judged;
+        return lut.request.has_bound ? SpectrumError::in_scan : SpectrumError::not_judged;
     return traits_of(lut.job.material.mechanism).is_closed_form ? SpectrumError::in_scan : SpectrumError::beside_scan;
 }
 
 // Step 1.
 void choose_sampling_of(LutSurvey& survey, bool can_judge, const AfterRow& after_step, Work& work) {
-    const AccuracyWish& wish = survey.lut.wish;
+    const AccuracyRequest& request = survey.lut.request;
     Job& job = survey.lut.job;
-    job.without = wish.without;
-    const double bound = wish.max_de00;
-    const bool may_drop = wish.may_drop_effects && wish.has_bound && can_judge;
+    job.without = request.without;
+    const double bound = request.max_de00;
+    const bool may_drop = request.may_drop_effects && request.has_bound && can_judge;
     const SamplingTolerance tolerance{share_of_nodes * bound, share_of_spread * bound, share_of_quadrature * bound,
                                       may_drop ? share_of_effects * bound : 0.0};
-    ChosenSampling chosen = choose_sampling(job, tolerance, wish.sampling, after_step);
+    ChosenSampling chosen = choose_sampling(job, tolerance, request.sampling, after_step);
     job.sampling = std::move(chosen.sampling);
     job.without = chosen.without;
     survey.effects = std::move(chosen.effects);
@@ -88,7 +88,7 @@ LutSurvey survey_lut(const PlannedLut& lut, bool can_judge, const AfterRow& afte
     choose_sampling_of(survey, can_judge, after_step, work);
     if (!can_judge) return survey;
     const Job& job = survey.lut.job;
-    const double bound = lut.wish.max_de00;
+    const double bound = lut.request.max_de00;
     survey.spectrum_error = spectrum_error_of(survey.lut);
     survey.effort = Effort(job);
     Job sample = job;
@@ -110,13 +110,13 @@ LutSurvey survey_lut(const PlannedLut& lut, bool can_judge, const AfterRow& afte
 }
 
 double scannable_bound(const LutSurvey& survey) {
-    return (survey.is_2d() ? scannable_share_in_2d : scannable_share_in_1d) * survey.lut.wish.max_de00;
+    return (survey.is_2d() ? scannable_share_in_2d : scannable_share_in_1d) * survey.lut.request.max_de00;
 }
 
 double scan_limit(const LutSurvey& survey) {
     const double bound = scannable_bound(survey);
     const ErrorSplit& known = survey.known;
-    const double of_curve = survey.curve ? 2.0 * share_of_curve * survey.lut.wish.max_de00 : 0.0;
+    const double of_curve = survey.curve ? 2.0 * share_of_curve * survey.lut.request.max_de00 : 0.0;
     const double rest = bound - of_curve - known.effects - std::min(known.quadrature, most_share_of_quadrature * bound);
     if (survey.spectrum_error != SpectrumError::beside_scan) return rest;
     return rest - known.spectrum - std::min(known.spread, most_share_of_spread * bound);

@@ -17,7 +17,7 @@ namespace nacre {
 enum class SpectrumError {
     in_scan,      ///< the model is the true integral, so that a scan of the LUT finds it
     beside_scan,  ///< LUT and model have it alike: it comes on top of what a scan finds, and the bound has to cover it
-    not_judged,   ///< likewise, but the scene insists on its wavelengths and gives no bound: it is reported only
+    not_judged,   ///< likewise, but the scene requests its wavelengths and gives no bound: it is reported only
 };
 
 /// What is known of a LUT before a size is tried. Nothing in it changes afterwards.

@@ -17,8 +17,8 @@
 #include "nacre/colour/light.h"
 #include "nacre/colour/observer.h"
 #include "nacre/colour/spectral_nodes.h"
+#include "nacre/cost/baselines.h"
 #include "nacre/cost/effect_cost.h"
-#include "nacre/cost/rivals.h"
 #include "nacre/lut/axis_kinds.h"
 #include "nacre/lut/bake.h"
 #include "nacre/lut/fetch.h"
@@ -56,14 +56,14 @@ double in_8_bits(double linear) {
     return code <= 0.04045 ? code / 12.92 : std::pow((code + 0.055) / 1.055, 2.4);
 }
 
-// Every texel's lobe through a rival. The mechanism's own part is that of the real bake.
-Image<Xyz> bake_with(const Job& job, const Rival& rival) {
+// Every texel's lobe through a baseline. The mechanism's own part is that of the real bake.
+Image<Xyz> bake_with(const Job& job, const Baseline& baseline) {
     Image<Xyz> image(job.width, job.height);
     Sampler sampler(job);
     for (int row = 0; row < job.height; ++row) {
         const double y = coordinate_of_texel(row, job.height);
         for (int column = 0; column < job.width; ++column)
-            image.at(column, row) = rival.to_xyz(sampler.lobe_at(coordinate_of_texel(column, job.width), y));
+            image.at(column, row) = baseline.to_xyz(sampler.lobe_at(coordinate_of_texel(column, job.width), y));
     }
     return image;
 }
@@ -72,13 +72,13 @@ class Cases {
 public:
     Cases(const PlannedLut& lut, const Encoding& encoding, double bound, const AfterRow& after_step)
         : lut_(lut), encoding_(encoding), bound_(bound), after_step_(after_step) {
-        lut_.wish = {};
-        lut_.wish.max_de00 = bound;
+        lut_.request = {};
+        lut_.request.max_de00 = bound;
         lut_.job.light = without_wavelengths(lut.job.light);
         // The baselines have every effect.
-        lut_.wish.may_drop_effects = false;
+        lut_.request.may_drop_effects = false;
         const ChosenLut chosen = choose_lut(lut_, encoding, after_step);
-        lut_.wish.may_drop_effects = true;
+        lut_.request.may_drop_effects = true;
         height_ = chosen.lut.job.height;
         lut_.job.sampling = chosen.lut.job.sampling;
     }
@@ -117,16 +117,16 @@ private:
         return cost;
     }
 
-    void add_rival(std::string label, std::shared_ptr<const Rival> rival) {
+    void add_baseline(std::string label, std::shared_ptr<const Baseline> baseline) {
         CostCase& cost = add(CostFamily::integral, std::move(label), sized(integral_size), PixelFormat::single_float);
-        cost.make = [&encoding = encoding_, job = cost.job, rival = std::move(rival)] {
-            Image<Rgb> image = encoding.to_rgb(bake_with(job, *rival));
+        cost.make = [&encoding = encoding_, job = cost.job, baseline = std::move(baseline)] {
+            Image<Rgb> image = encoding.to_rgb(bake_with(job, *baseline));
             store(image, [&](double value) { return encoding.stored(value, PixelFormat::single_float); });
             return image;
         };
     }
 
-    // A film or stack at the wavelengths of a rival.
+    // A film or stack at the wavelengths of a baseline.
     Job sampled(Job job, SpectralNodes nodes) const {
         job.sampling.nodes.fill(std::make_shared<const SpectralNodes>(std::move(nodes)));
         job.sampling.incoherent_layers.clear();
@@ -165,11 +165,11 @@ private:
         const Light& light = *lut_.job.light;
         add(CostFamily::integral, "exact integral", sized(integral_size), PixelFormat::single_float);
         for (const int step_nm : sum_steps_nm)
-            add_rival(std::to_string(step_nm) + " nm sum", make_sum_rival(light, step_nm));
+            add_baseline(std::to_string(step_nm) + " nm sum", make_sum_baseline(light, step_nm));
         if (light.settings.observer == Observer::cie1931_2deg)
-            add_rival("Wyman fit at 5 nm", make_fit_rival(light, false));
-        add_rival("Wyman single-lobe fit at 5 nm", make_fit_rival(light, true));
-        add_rival("three wavelengths", make_three_wavelengths_rival());
+            add_baseline("Wyman fit at 5 nm", make_fit_baseline(light, false));
+        add_baseline("Wyman single-lobe fit at 5 nm", make_fit_baseline(light, true));
+        add_baseline("three wavelengths", make_three_wavelengths_baseline());
     }
 
     void add_fixed_sizes() {
@@ -189,8 +189,10 @@ private:
     void add_coarse_sum() {
         const Light& light = *lut_.job.light;
         CostCase& cost = add(CostFamily::mistake, "5 nm sum", sized(mistake_size), PixelFormat::half_float);
-        std::function<Image<Xyz>()> colours = [job = cost.job, rival = std::shared_ptr<const Rival>(make_sum_rival(
-                                                                   light, 5))] { return bake_with(job, *rival); };
+        std::function<Image<Xyz>()> colours =
+            [job = cost.job, baseline = std::shared_ptr<const Baseline>(make_sum_baseline(light, 5))] {
+                return bake_with(job, *baseline);
+            };
         if (samples_spectra(cost.job.material.mechanism))
             colours = [job = sampled(cost.job, sum_nodes(light, 5))] { return bake(job); };
         cost.make = [&encoding = encoding_, colours = std::move(colours)] {
@@ -255,7 +257,7 @@ private:
         if (std::find(all.begin(), all.end(), bound_) == all.end()) all.push_back(bound_);
         std::sort(all.begin(), all.end(), std::greater<>());
         for (const double bound : all) {
-            lut_.wish.max_de00 = bound;
+            lut_.request.max_de00 = bound;
             const ChosenLut chosen = choose_lut(lut_, encoding_, after_step_);
             CostCase& cost = add(CostFamily::choice, number_text(bound), chosen.lut.job, chosen.lut.format);
             cost.bound = bound;

@@ -14,7 +14,7 @@ namespace nacre {
 
 /// What a scene says of a LUT's accuracy. What it leaves open is decided by choose_lut(), where the colour space is
 /// known.
-struct AccuracyWish {
+struct AccuracyRequest {
     double max_de00 = default_max_de00;  ///< largest CIEDE2000 error of what a shader fetches
     /// Whether there is a bound at all: not so where the scene gives `size` or `wavelengths` and no bound.
     bool has_bound = true;
@@ -36,7 +36,7 @@ struct AccuracyWish {
 struct PlannedLut {
     std::string name;
     Job job;  ///< its size is a placeholder until choose_lut() has decided it; so is the format
-    AccuracyWish wish;
+    AccuracyRequest request;
     PixelFormat format = PixelFormat::half_float;
     std::vector<LutOutput> outputs{LutOutput::exr, LutOutput::json};
     Where where;

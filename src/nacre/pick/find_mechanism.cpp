@@ -21,7 +21,7 @@ constexpr int enough_per_answer = 4;
 // Fewer are needed of answers that do not.
 constexpr int enough_unmet_per_answer = 2;
 // This many of them are tried with other whole numbers, and this many are refined with their own nodes.
-constexpr std::size_t most_polished = 4;
+constexpr std::size_t most_with_other_whole_numbers = 4;
 constexpr std::size_t most_sharpened = 4;
 
 class Search {
@@ -33,9 +33,10 @@ public:
     std::vector<FoundMechanism> answers() {
         std::vector<Rated> answers = refined(Starts(search_, effort_, after_step_, objective_).find());
         Neighbours neighbours(search_, after_step_, objective_);
-        for (std::size_t i = 0; i < std::min(answers.size(), most_polished); ++i) neighbours.polish(answers[i]);
+        for (std::size_t i = 0; i < std::min(answers.size(), most_with_other_whole_numbers); ++i)
+            neighbours.try_whole_numbers(answers[i]);
         std::stable_sort(answers.begin(), answers.end(), is_better);
-        neighbours.wander(answers, effort_.leaps);
+        neighbours.perturb(answers, effort_.perturbations);
         answers = neighbours.best_apart(answers, static_cast<std::size_t>(enough_per_answer * effort_.answers));
         const auto unmet = static_cast<std::ptrdiff_t>(enough_unmet_per_answer * effort_.answers);
         const auto is_unmet = [](const Rated& answer) { return answer.error > as_good_as_met; };

@@ -11,11 +11,11 @@ namespace nacre {
 
 /// The effort of a search.
 struct SearchEffort {
-    int table = 16384;  ///< designs that are tried
-    int valleys = 192;  ///< of these, the best that differ are followed for some steps
-    int starts = 32;    ///< of these, the best are refined to the end
-    int leaps = 8;      ///< from each of the best few of them, per round, to valleys near by
-    int answers = 5;    ///< of what they become, the best that differ are returned, at most
+    int table = 16384;      ///< designs that are tried
+    int valleys = 192;      ///< of these, the best that differ are followed for some steps
+    int starts = 32;        ///< of these, the best are refined to the end
+    int perturbations = 8;  ///< from each of the best few of them, per round, to valleys near by
+    int answers = 5;        ///< of what they become, the best that differ are returned, at most
 };
 
 /// The effort for a mechanism with a number of free numbers.

@@ -11,7 +11,7 @@
 
 namespace nacre {
 
-void Neighbours::polish(Rated& answer) {
+void Neighbours::try_whole_numbers(Rated& answer) {
     constexpr int most_rounds = 8;
     for (int round = 0; round < most_rounds && answer.error > as_good_as_met; ++round) {
         const Rated better = best_neighbour(answer);
@@ -73,7 +73,7 @@ std::vector<Rated> Neighbours::best_apart(const std::vector<Rated>& sorted, std:
 
 // Perturbs two of the numbers, or one, because a perturbation of all lands anywhere. Beyond an end of the range it is
 // mirrored.
-Design Neighbours::leap(const Design& from, int number, double length) const {
+Design Neighbours::perturbed(const Design& from, int number, double length) const {
     const EvenPoints points(from.size());
     const std::vector<double> point = points.at(number);
     const auto turn = static_cast<std::size_t>(number);
@@ -85,20 +85,20 @@ Design Neighbours::leap(const Design& from, int number, double length) const {
     return to;
 }
 
-void Neighbours::wander(std::vector<Rated>& answers, int leaps) {
+void Neighbours::perturb(std::vector<Rated>& answers, int perturbations) {
     constexpr std::size_t most_wanderers = 6;
     constexpr int rounds = 3;
     constexpr double first_length = 1.0, shorter = 0.7;
-    if (leaps == 0 || search_.free.empty()) return;
+    if (perturbations == 0 || search_.free.empty()) return;
     int next = 0;
     double length = first_length;
     for (int round = 0; round < rounds && answers.front().error > as_good_as_met; ++round, length *= shorter) {
         const std::vector<Rated> wanderers = best_apart(answers, most_wanderers);
         std::vector<Rated> landed;
         for (const Rated& from : wanderers) {
-            for (int i = 0; i < leaps; ++i) {
-                landed.push_back(
-                    objective_.refined(objective_.rounded(leap(from.design, next++, length)), SearchDetail::table));
+            for (int i = 0; i < perturbations; ++i) {
+                landed.push_back(objective_.refined(objective_.rounded(perturbed(from.design, next++, length)),
+                                                    SearchDetail::table));
                 step();
             }
         }

@@ -131,47 +131,47 @@ Rated Objective::refined(const Design& start, SearchDetail detail) {
     const Rated coarse = descended(start, shown_.sampling_for(mechanism, detail), many_steps);
     // A result that only seems good must not displace a good one.
     Rated fine = rated(coarse.design, SearchDetail::report);
-    constexpr double share = 0.02, settled_de00 = 0.01;
-    if (std::abs(fine.error - coarse.error) < share * coarse.error + settled_de00) return fine;
+    constexpr double share = 0.02, converged_de00 = 0.01;
+    if (std::abs(fine.error - coarse.error) < share * coarse.error + converged_de00) return fine;
     return descended(coarse.design, shown_.sampling_for(mechanism, SearchDetail::report), last_steps);
 }
 
 Rated Objective::sharpened(const Design& start) {
-    constexpr double settled_de00 = 0.02;
+    constexpr double converged_de00 = 0.02;
     constexpr int most_times = 16;
     const Mechanism mechanism = mechanism_of(start);
-    const int times = settled_colours(mechanism, settled_de00, most_times).times;
+    const int times = converged_colours(mechanism, converged_de00, most_times).times;
     return descended(start, shown_.sampling_for(mechanism, SearchDetail::report, times), last_steps);
 }
 
 // Many periods have resonances that are far narrower than their fringes: nodes are doubled until nothing moves.
-Objective::Settled Objective::settled_colours(const Mechanism& mechanism, double settled_de00, int most_times) {
+Objective::Converged Objective::converged_colours(const Mechanism& mechanism, double converged_de00, int most_times) {
     const auto colours = [&](int times) {
         std::vector<Xyz> shown(shown_.count());
         shown_.at(mechanism, shown_.sampling_for(mechanism, SearchDetail::report, times), shown);
         return shown;
     };
-    Settled settled{colours(1), 1};
-    if (!samples_spectra(mechanism)) return settled;
-    while (settled.times < most_times) {
-        const int times = 2 * settled.times;
+    Converged converged{colours(1), 1};
+    if (!samples_spectra(mechanism)) return converged;
+    while (converged.times < most_times) {
+        const int times = 2 * converged.times;
         std::vector<Xyz> finer = colours(times);
         double moved = 0.0;
         for (std::size_t i = 0; i < finer.size(); ++i)
-            moved = std::max(moved, ciede2000(to_lab(settled.shown[i], d65_white), to_lab(finer[i], d65_white)));
-        settled = {std::move(finer), times};
-        if (moved <= settled_de00) break;
+            moved = std::max(moved, ciede2000(to_lab(converged.shown[i], d65_white), to_lab(finer[i], d65_white)));
+        converged = {std::move(finer), times};
+        if (moved <= converged_de00) break;
     }
-    return settled;
+    return converged;
 }
 
 FoundMechanism Objective::judged(const Design& design) {
     FoundMechanism found;
     found.mechanism = mechanism_of(design);
     for (std::size_t i = 0; i < design.size(); ++i) found.values.push_back(search_.free[i].at(design[i]));
-    constexpr double settled_de00 = 0.002;
+    constexpr double converged_de00 = 0.002;
     constexpr int most_times = 64;
-    found.reached = settled_colours(found.mechanism, settled_de00, most_times).shown;
+    found.reached = converged_colours(found.mechanism, converged_de00, most_times).shown;
     for (std::size_t i = 0; i < found.reached.size(); ++i)
         found.de00.push_back(ciede2000(wanted_[i], to_lab(found.reached[i], d65_white)));
     found.error = error_of(found.reached);

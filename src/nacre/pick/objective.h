@@ -54,11 +54,11 @@ public:
     FoundMechanism judged(const Design& design);
 
 private:
-    struct Settled {
+    struct Converged {
         std::vector<Xyz> shown;
         int times = 1;  ///< of the report's nodes that this takes
     };
-    Settled settled_colours(const Mechanism& mechanism, double settled_de00, int most_times);
+    Converged converged_colours(const Mechanism& mechanism, double converged_de00, int most_times);
     Rated descended(const Design& start, const SearchSampling& sampling, int steps) const;
     double error_of(std::span<const Xyz> shown) const;
     std::vector<std::size_t> moving_numbers() const;

@@ -33,7 +33,7 @@ NodeCounts read_nodes(const Table& table, const Value& value) {
 }
 
 // Which effects are simulated.
-void read_effect_wishes(const Table& table, AccuracySettings& accuracy) {
+void read_effect_requests(const Table& table, AccuracySettings& accuracy) {
     if (const Value* effects = table.find("effects")) {
         const std::string& word = table.checked_text("effects", *effects);
         if (word != "auto" && word != "all")
@@ -135,7 +135,7 @@ AccuracySettings read_accuracy(const Table* table) {
         accuracy.wavelengths = table->checked_integer("wavelengths", *nodes, allowed_wavelengths);
     warn_of_integral(*table, accuracy.warnings);
     accuracy.sampling = read_sampling(*table, accuracy.warnings);
-    read_effect_wishes(*table, accuracy);
+    read_effect_requests(*table, accuracy);
     accuracy.size = read_lut_size(*table);
     table->expect_all_read();
     return accuracy;

@@ -84,7 +84,7 @@ void read_axes(const Table& table, Job& job) {
 }
 
 // A size of the LUT's own counts instead of [accuracy]'s.
-void read_wish(const Table& table, const AccuracySettings& accuracy, PlannedLut& lut) {
+void read_request(const Table& table, const AccuracySettings& accuracy, PlannedLut& lut) {
     const bool has_y = table.find("y") != nullptr;
     AccuracySettings settings = accuracy;
     attempt(table, table.where(), [&] {
@@ -92,9 +92,9 @@ void read_wish(const Table& table, const AccuracySettings& accuracy, PlannedLut&
         if (own.height && !has_y) table.fail_at("size", "size has two numbers, but there is no y axis; give one");
         if (own.width) settings.size = {own.width, own.height ? own.height : own.width};
     });
-    AccuracyWish wish = default_wish(settings, has_y);
-    if (table.find("format") != nullptr) wish.format = read_word(table, "format", "format", format_words);
-    take_wish(wish, lut);
+    AccuracyRequest request = default_request(settings, has_y);
+    if (table.find("format") != nullptr) request.format = read_word(table, "format", "format", format_words);
+    take_request(request, lut);
 }
 
 void read_outputs(const Table& table, PlannedLut& lut) {
@@ -146,25 +146,25 @@ LutSize read_lut_size(const Table& table) {
     return {checked_size(table, "size", sides[0]), checked_size(table, "size", sides[1])};
 }
 
-void take_wish(const AccuracyWish& wish, PlannedLut& lut) {
+void take_request(const AccuracyRequest& request, PlannedLut& lut) {
     constexpr int placeholder_height = 64;
-    lut.wish = wish;
-    lut.job.width = wish.width.value_or(lut.job.width);
-    if (lut.job.y) lut.job.height = wish.height.value_or(placeholder_height);
-    lut.format = wish.format.value_or(lut.format);
+    lut.request = request;
+    lut.job.width = request.width.value_or(lut.job.width);
+    if (lut.job.y) lut.job.height = request.height.value_or(placeholder_height);
+    lut.format = request.format.value_or(lut.format);
 }
 
-AccuracyWish default_wish(const AccuracySettings& accuracy, bool has_y) {
-    AccuracyWish wish;
-    wish.max_de00 = accuracy.max_de00.value_or(AccuracyWish::default_max_de00);
-    wish.is_binding = accuracy.max_de00.has_value();
-    wish.has_bound = wish.is_binding || (!accuracy.wavelengths && !accuracy.size.width);
-    wish.sampling = accuracy.sampling;
-    wish.may_drop_effects = accuracy.may_drop_effects;
-    wish.without = accuracy.without;
-    wish.width = accuracy.size.width;
-    if (has_y) wish.height = accuracy.size.height;
-    return wish;
+AccuracyRequest default_request(const AccuracySettings& accuracy, bool has_y) {
+    AccuracyRequest request;
+    request.max_de00 = accuracy.max_de00.value_or(AccuracyRequest::default_max_de00);
+    request.is_binding = accuracy.max_de00.has_value();
+    request.has_bound = request.is_binding || (!accuracy.wavelengths && !accuracy.size.width);
+    request.sampling = accuracy.sampling;
+    request.may_drop_effects = accuracy.may_drop_effects;
+    request.without = accuracy.without;
+    request.width = accuracy.size.width;
+    if (has_y) request.height = accuracy.size.height;
+    return request;
 }
 
 std::optional<PlannedLut> read_lut(const Table& table, const Table::Entry& entry, const SceneParts& parts) {
@@ -179,7 +179,7 @@ std::optional<PlannedLut> read_lut(const Table& table, const Table::Entry& entry
     } else {
         for (const std::string_view key : {"x", "y", "angle_deg", "grating_u", "cos_scatter"}) table.skip(key);
     }
-    read_wish(table, parts.accuracy, lut);
+    read_request(table, parts.accuracy, lut);
     read_outputs(table, lut);
     table.expect_all_read();
     if (material == nullptr || !table.is_good()) return {};

@@ -47,7 +47,7 @@ std::optional<PlannedLut> default_lut(const std::string& name, const SceneParts&
     lut.job.material = *material;
     lut.job.light = parts.light;
     lut.job.x = default_axis(quantity_of(material->mechanism));
-    take_wish(default_wish(parts.accuracy, false), lut);
+    take_request(default_request(parts.accuracy, false), lut);
     lut.where = material->where;
     return lut;
 }

@@ -39,11 +39,11 @@ struct AccuracySettings {
 /// @param table  null: nothing is said
 AccuracySettings read_accuracy(const Table* table);
 
-/// The wish of a LUT that says nothing itself.
-AccuracyWish default_wish(const AccuracySettings& accuracy, bool has_y);
+/// The request of a LUT that says nothing itself.
+AccuracyRequest default_request(const AccuracySettings& accuracy, bool has_y);
 
-/// Gives a LUT its wish, and what the wish insists on.
-void take_wish(const AccuracyWish& wish, PlannedLut& lut);
+/// Gives a LUT its request, and what the request requests.
+void take_request(const AccuracyRequest& request, PlannedLut& lut);
 
 /// [light], and `wavelengths` of [accuracy]. The light has some power where it is sampled, and a white that the
 /// adaptation can start from. Null if [light] has mistakes.

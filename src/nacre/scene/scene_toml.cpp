@@ -66,7 +66,7 @@ std::string scene_toml(const PlannedLut& lut, const ColourSettings& colour) {
     text += "\n[colour]\nspace = " + toml_string(colour.space) +
             "\ngamut = " + toml_string(name_of(gamut_words, colour.gamut)) + "\n";
     text += "\n[accuracy]\n";
-    if (lut.wish.has_bound) text += "max_de00 = " + number_text(lut.wish.max_de00) + "\n";
+    if (lut.request.has_bound) text += "max_de00 = " + number_text(lut.request.max_de00) + "\n";
     if (const auto& wavelengths = job.light->settings.wavelengths)
         text += "wavelengths = " + std::to_string(*wavelengths) + "\n";
     text += effects_toml(job);

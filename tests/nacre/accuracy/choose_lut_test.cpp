@@ -23,7 +23,7 @@
 namespace nacre {
 namespace {
 
-using test::wished_lut;
+using test::requested_lut;
 
 const Encoding encoding = test::rec709_encoding();
 constexpr PixelFormat half = PixelFormat::half_float;
@@ -57,15 +57,15 @@ Choice choice_of(const ChosenLut& chosen) {
 }
 
 /// Every LUT of powers of two that has fewer bytes than a choice, or as many in half where the choice is float.
-std::vector<Choice> cheaper_than(const Choice& choice, bool is_2d, const AccuracyWish& wish) {
+std::vector<Choice> cheaper_than(const Choice& choice, bool is_2d, const AccuracyRequest& request) {
     const std::int64_t bytes = bytes_of(choice.width, choice.height, choice.format);
     std::vector<Choice> cheaper;
     for (int width = 2; width <= largest_lut_size; width *= 2) {
         for (int height = is_2d ? 2 : 1; height <= (is_2d ? largest_lut_size : 1); height *= 2) {
             for (const PixelFormat format : {half, single}) {
-                if (wish.width && width != *wish.width) continue;
-                if (wish.height && height != *wish.height) continue;
-                if (wish.format && format != *wish.format) continue;
+                if (request.width && width != *request.width) continue;
+                if (request.height && height != *request.height) continue;
+                if (request.format && format != *request.format) continue;
                 const std::int64_t these = bytes_of(width, height, format);
                 const bool is_preferred = these == bytes && format == half && choice.format == single;
                 if (these < bytes || is_preferred) cheaper.push_back({width, height, format});
@@ -77,7 +77,7 @@ std::vector<Choice> cheaper_than(const Choice& choice, bool is_2d, const Accurac
 
 /// That a chosen LUT keeps its bound, and no cheaper one does.
 void expect_the_cheapest(PlannedLut lut, const std::string& name) {
-    const double bound = lut.wish.max_de00;
+    const double bound = lut.request.max_de00;
     const ChosenLut chosen = choose_lut(lut, encoding);
     const Choice choice = choice_of(chosen);
     ASSERT_TRUE(chosen.is_reached) << name << ' ' << bound;
@@ -87,7 +87,7 @@ void expect_the_cheapest(PlannedLut lut, const std::string& name) {
     EXPECT_NEAR(chosen.predicted.total, reached, 0.1 * bound) << name;
     // A scan may miss a hundredth: what lies so near the bound may be passed over.
     const double hair = 0.975;
-    for (const Choice& other : cheaper_than(choice, lut.job.y.has_value(), lut.wish)) {
+    for (const Choice& other : cheaper_than(choice, lut.job.y.has_value(), lut.request)) {
         EXPECT_GT(error_of(lut, other.width, other.height, other.format, hair * bound), hair * bound)
             << name << ", bound " << bound << ": " << other.width << " x " << other.height << ' '
             << (other.format == half ? "half" : "float") << " would do instead of " << choice.width << " x "
@@ -96,19 +96,19 @@ void expect_the_cheapest(PlannedLut lut, const std::string& name) {
 }
 
 /// That a LUT has to keep.
-AccuracyWish bound_of(double max_de00) {
-    AccuracyWish wish;
-    wish.max_de00 = max_de00;
-    wish.is_binding = true;
-    return wish;
+AccuracyRequest bound_of(double max_de00) {
+    AccuracyRequest request;
+    request.max_de00 = max_de00;
+    request.is_binding = true;
+    return request;
 }
 
 /// None, where a scene says how its LUT is to be.
-AccuracyWish goal_of(double max_de00) {
-    AccuracyWish wish;
-    wish.max_de00 = max_de00;
-    wish.has_bound = false;
-    return wish;
+AccuracyRequest goal_of(double max_de00) {
+    AccuracyRequest request;
+    request.max_de00 = max_de00;
+    request.has_bound = false;
+    return request;
 }
 
 Job on_axis(Job job, std::string_view axis) {
@@ -122,24 +122,26 @@ Job width_plane() {
 
 TEST(ChooseLut, TakesTheSmallestPowerOfTwoThatKeepsTheBound) {
     for (const double bound : {5.0, 1.0, 0.3, 0.1, 0.03, 0.01}) {
-        expect_the_cheapest(wished_lut(test::job_of(test::morpho), bound), "morpho");
-        expect_the_cheapest(wished_lut(test::job_of(test::beetle), bound), "beetle");
-        expect_the_cheapest(wished_lut(on_axis(test::job_of(test::opal), "cos_theta"), bound), "opal over the cosine");
-        expect_the_cheapest(wished_lut(test::job_of(test::opal), bound), "opal");
+        expect_the_cheapest(requested_lut(test::job_of(test::morpho), bound), "morpho");
+        expect_the_cheapest(requested_lut(test::job_of(test::beetle), bound), "beetle");
+        expect_the_cheapest(requested_lut(on_axis(test::job_of(test::opal), "cos_theta"), bound),
+                            "opal over the cosine");
+        expect_the_cheapest(requested_lut(test::job_of(test::opal), bound), "opal");
     }
 }
 
 TEST(ChooseLut, OverAPlaneTakesTheFewestBytes) {
-    for (const double bound : {8.0, 3.0, 1.2}) expect_the_cheapest(wished_lut(width_plane(), bound), "width");
+    for (const double bound : {8.0, 3.0, 1.2}) expect_the_cheapest(requested_lut(width_plane(), bound), "width");
     expect_the_cheapest(
-        wished_lut(test::job_of(test::beetle, parameter_axis(test::beetle, "shape", 0.0, 1.0), 256, 64), 1.0), "shape");
+        requested_lut(test::job_of(test::beetle, parameter_axis(test::beetle, "shape", 0.0, 1.0), 256, 64), 1.0),
+        "shape");
 }
 
 TEST(ChooseLut, NeverTakesMoreBytesForALooserBound) {
     for (const Palette& palette : {test::morpho, test::beetle, test::opal}) {
         std::int64_t last = bytes_of(4096, 1, single);
         for (const double bound : {0.005, 0.007, 0.01, 0.02, 0.03, 0.05, 0.07, 0.1, 0.2, 0.5, 1.0, 3.0, 10.0, 100.0}) {
-            const ChosenLut chosen = choose_lut(wished_lut(test::job_of(palette), bound), encoding);
+            const ChosenLut chosen = choose_lut(requested_lut(test::job_of(palette), bound), encoding);
             EXPECT_LE(bytes_of(chosen), last) << bound;
             last = bytes_of(chosen);
         }
@@ -148,7 +150,7 @@ TEST(ChooseLut, NeverTakesMoreBytesForALooserBound) {
 }
 
 TEST(ChooseLut, HasNothingLeftOpenAndSaysWhereTheErrorIs) {
-    const ChosenLut chosen = choose_lut(wished_lut(test::job_of(test::morpho), 0.1), encoding);
+    const ChosenLut chosen = choose_lut(requested_lut(test::job_of(test::morpho), 0.1), encoding);
     ASSERT_FALSE(chosen.worst.empty());
     const Image<Rgb> stored = test::stored_lut(chosen.lut.job, chosen.lut.format);
     const double scale = test::shown_scale(chosen.lut.job);
@@ -161,7 +163,7 @@ TEST(ChooseLut, HasNothingLeftOpenAndSaysWhereTheErrorIs) {
 }
 
 TEST(ChooseLut, NamesTheSharesOfItsError) {
-    const ChosenLut chosen = choose_lut(wished_lut(test::job_of(test::beetle), 0.1), encoding);
+    const ChosenLut chosen = choose_lut(requested_lut(test::job_of(test::beetle), 0.1), encoding);
     const Job& job = chosen.lut.job;
     const Image<Xyz> texels = bake(job);
     const Image<Xyz> stored = encoding.to_xyz(test::stored_lut(job, chosen.lut.format));
@@ -178,40 +180,40 @@ TEST(ChooseLut, NamesTheSharesOfItsError) {
 }
 
 TEST(ChooseLut, KeepsToWhatTheSceneInsistsOn) {
-    PlannedLut lut = wished_lut(test::job_of(test::morpho), 0.5);
-    lut.wish.width = 200;
+    PlannedLut lut = requested_lut(test::job_of(test::morpho), 0.5);
+    lut.request.width = 200;
     EXPECT_EQ(choice_of(choose_lut(lut, encoding)), (Choice{200, 1, half}));
     EXPECT_TRUE(choose_lut(lut, encoding).is_reached);
-    lut.wish.format = single;
+    lut.request.format = single;
     EXPECT_EQ(choice_of(choose_lut(lut, encoding)), (Choice{200, 1, single}));
-    lut.wish = bound_of(0.5);
-    lut.wish.format = single;
+    lut.request = bound_of(0.5);
+    lut.request.format = single;
     const ChosenLut in_float = choose_lut(lut, encoding);
     EXPECT_EQ(in_float.lut.format, single);
     expect_the_cheapest(lut, "in float");
 
-    PlannedLut plane = wished_lut(width_plane(), 3.0);
-    plane.wish.width = 48;
+    PlannedLut plane = requested_lut(width_plane(), 3.0);
+    plane.request.width = 48;
     const ChosenLut of_width = choose_lut(plane, encoding);
     EXPECT_EQ(of_width.lut.job.width, 48);
-    plane.wish = bound_of(3.0);
-    plane.wish.height = 24;
+    plane.request = bound_of(3.0);
+    plane.request.height = 24;
     const ChosenLut of_height = choose_lut(plane, encoding);
     EXPECT_EQ(of_height.lut.job.height, 24);
     EXPECT_TRUE(of_height.is_reached);
     EXPECT_EQ(of_height.lut.job.width & (of_height.lut.job.width - 1), 0) << "a power of two";
-    plane.wish = goal_of(3.0);
-    plane.wish.width = 5;
-    plane.wish.height = 7;
-    plane.wish.format = single;
+    plane.request = goal_of(3.0);
+    plane.request.width = 5;
+    plane.request.height = 7;
+    plane.request.format = single;
     EXPECT_EQ(choice_of(choose_lut(plane, encoding)), (Choice{5, 7, single}));
 }
 
 TEST(ChooseLut, OfABoundThatDoesNotBindReportsWithoutComplaint) {
-    PlannedLut lut = wished_lut(test::job_of(test::morpho), 0.1);
-    lut.wish.width = 8;
-    lut.wish.format = half;
-    lut.wish.is_binding = lut.wish.has_bound = false;
+    PlannedLut lut = requested_lut(test::job_of(test::morpho), 0.1);
+    lut.request.width = 8;
+    lut.request.format = half;
+    lut.request.is_binding = lut.request.has_bound = false;
     const ChosenLut chosen = choose_lut(lut, encoding);
     EXPECT_FALSE(chosen.is_reached);
     EXPECT_EQ(choice_of(chosen), (Choice{8, 1, half}));
@@ -228,8 +230,8 @@ std::string two_digits(double value) {
 }
 
 TEST(ChooseLut, ThatHalfCannotReachSaysWhatHalfCostsAndToUseFloat) {
-    PlannedLut lut = wished_lut(test::job_of(test::beetle), 0.02);
-    lut.wish.format = half;
+    PlannedLut lut = requested_lut(test::job_of(test::beetle), 0.02);
+    lut.request.format = half;
     const ChosenLut chosen = choose_lut(lut, encoding);
     EXPECT_FALSE(chosen.is_reached);
     EXPECT_EQ(chosen.lut.format, half);
@@ -241,14 +243,14 @@ TEST(ChooseLut, ThatHalfCannotReachSaysWhatHalfCostsAndToUseFloat) {
     for (std::size_t i = 0; i < meant.size(); ++i)
         storage = std::max(storage, test::shown_difference(stored.data()[i], meant.data()[i], test::shown_scale(job)));
     EXPECT_EQ(chosen.obstacle, "half costs " + two_digits(storage) + ": use float");
-    lut.wish.format.reset();
+    lut.request.format.reset();
     EXPECT_TRUE(choose_lut(lut, encoding).is_reached);
     EXPECT_EQ(choose_lut(lut, encoding).lut.format, single);
 }
 
 TEST(ChooseLut, ThatAFixedSizeCannotReachSaysWhatThatSizeCosts) {
-    PlannedLut lut = wished_lut(test::job_of(test::morpho), 0.1);
-    lut.wish.width = 16;
+    PlannedLut lut = requested_lut(test::job_of(test::morpho), 0.1);
+    lut.request.width = 16;
     const ChosenLut chosen = choose_lut(lut, encoding);
     EXPECT_FALSE(chosen.is_reached);
     EXPECT_EQ(chosen.lut.job.width, 16);
@@ -257,16 +259,16 @@ TEST(ChooseLut, ThatAFixedSizeCannotReachSaysWhatThatSizeCosts) {
     EXPECT_EQ(chosen.obstacle, "interpolation between 16 x 1 texels costs " + two_digits(interpolation) +
                                    ": leave size out, or give a larger one");
 
-    PlannedLut plane = wished_lut(width_plane(), 0.5);
-    plane.wish.width = 8;
-    plane.wish.height = 4;
+    PlannedLut plane = requested_lut(width_plane(), 0.5);
+    plane.request.width = 8;
+    plane.request.height = 4;
     const ChosenLut of_plane = choose_lut(plane, encoding);
     EXPECT_FALSE(of_plane.is_reached);
     EXPECT_EQ(of_plane.obstacle.substr(0, 41), "interpolation between 8 x 4 texels costs ");
 }
 
 TEST(ChooseLut, ThatWavelengthsCannotReachSaysWhatTheyCost) {
-    PlannedLut lut = wished_lut(test::job_of(test::morpho), 0.1);
+    PlannedLut lut = requested_lut(test::job_of(test::morpho), 0.1);
     lut.job.light = test::light_of("D65", 20);
     const ChosenLut chosen = choose_lut(lut, encoding);
     EXPECT_FALSE(chosen.is_reached);
@@ -279,8 +281,8 @@ TEST(ChooseLut, ThatWavelengthsCannotReachSaysWhatTheyCost) {
     EXPECT_EQ(chosen.obstacle, "20 wavelengths cost " + two_digits(spectrum) + ": leave wavelengths out");
     EXPECT_GT(chosen.work.spectra, 0U);
 
-    // A scene that insists on its wavelengths is judged by what the LUT adds to them.
-    lut.wish = goal_of(0.5);
+    // A scene that requests its wavelengths is judged by what the LUT adds to them.
+    lut.request = goal_of(0.5);
     const ChosenLut insisted = choose_lut(lut, encoding);
     EXPECT_TRUE(insisted.is_reached);
     Job sampled = insisted.lut.job;
@@ -289,7 +291,7 @@ TEST(ChooseLut, ThatWavelengthsCannotReachSaysWhatTheyCost) {
 }
 
 TEST(ChooseLut, ThatNoSizeReachesSaysThatThereIsNone) {
-    const ChosenLut chosen = choose_lut(wished_lut(on_axis(test::job_of(test::opal), "cos_theta"), 5e-5), encoding);
+    const ChosenLut chosen = choose_lut(requested_lut(on_axis(test::job_of(test::opal), "cos_theta"), 5e-5), encoding);
     EXPECT_FALSE(chosen.is_reached);
     EXPECT_EQ(chosen.lut.job.width, 4096) << "the best there is";
     EXPECT_EQ(chosen.lut.format, single);
@@ -301,8 +303,8 @@ TEST(ChooseLut, ThatNoSizeReachesSaysThatThereIsNone) {
 TEST(ChooseLut, WithoutAWayBackToXyzRefusesABoundAndElseTakesDefaults) {
     Encoding one_way = encoding;
     one_way.to_xyz = nullptr;
-    PlannedLut lut = wished_lut(test::job_of(test::morpho), 0.1);
-    lut.wish.is_binding = true;
+    PlannedLut lut = requested_lut(test::job_of(test::morpho), 0.1);
+    lut.request.is_binding = true;
     try {
         choose_lut(lut, one_way);
         FAIL() << "a bound that nobody can check";
@@ -311,29 +313,29 @@ TEST(ChooseLut, WithoutAWayBackToXyzRefusesABoundAndElseTakesDefaults) {
                      "the colour space has no inverse to XYZ, so its errors cannot be measured; give [accuracy] size "
                      "instead of a bound");
     }
-    lut.wish.is_binding = lut.wish.has_bound = false;
+    lut.request.is_binding = lut.request.has_bound = false;
     const ChosenLut blind = choose_lut(lut, one_way);
     EXPECT_EQ(choice_of(blind), (Choice{256, 1, half}));
     EXPECT_FALSE(blind.is_reached);
     EXPECT_EQ(blind.work, Work{});
-    PlannedLut plane = wished_lut(width_plane(), 0.1);
-    plane.wish.is_binding = plane.wish.has_bound = false;
+    PlannedLut plane = requested_lut(width_plane(), 0.1);
+    plane.request.is_binding = plane.request.has_bound = false;
     EXPECT_EQ(choice_of(choose_lut(plane, one_way)), (Choice{256, 64, half}));
-    plane.wish = goal_of(0.1);
-    plane.wish.width = 100;
-    plane.wish.format = single;
+    plane.request = goal_of(0.1);
+    plane.request.width = 100;
+    plane.request.format = single;
     EXPECT_EQ(choice_of(choose_lut(plane, one_way)), (Choice{100, 64, single}));
 }
 
 TEST(ChooseLut, OfABlackMaterialIsTheSmallestLut) {
     Palette black = test::morpho;
     for (Pick& pick : black.picks) pick.lobe.height = 0.0;
-    const ChosenLut line = choose_lut(wished_lut(test::job_of(black), 0.001), encoding);
+    const ChosenLut line = choose_lut(requested_lut(test::job_of(black), 0.001), encoding);
     EXPECT_EQ(choice_of(line), (Choice{2, 1, half}));
     EXPECT_EQ(line.predicted.total, 0.0);
     EXPECT_TRUE(line.is_reached);
     const ChosenLut plane = choose_lut(
-        wished_lut(test::job_of(black, parameter_axis(black, "width_nm", 10.0, 200.0), 256, 64), 0.001), encoding);
+        requested_lut(test::job_of(black, parameter_axis(black, "width_nm", 10.0, 200.0), 256, 64), 0.001), encoding);
     EXPECT_EQ(choice_of(plane), (Choice{2, 2, half}));
     EXPECT_EQ(plane.predicted.total, 0.0);
 }
@@ -346,21 +348,21 @@ TEST(ChooseLut, OfNumbersTooLargeForHalfTakesFloat) {
     };
     large.to_rgb = [=](const Image<Xyz>& image) { return test::converted<Rgb>(encoding.to_rgb(image), times(1e6)); };
     large.to_xyz = [=](const Image<Rgb>& image) { return encoding.to_xyz(test::converted<Rgb>(image, times(1e-6))); };
-    const ChosenLut chosen = choose_lut(wished_lut(test::job_of(test::morpho), 0.1), large);
+    const ChosenLut chosen = choose_lut(requested_lut(test::job_of(test::morpho), 0.1), large);
     EXPECT_EQ(chosen.lut.format, single);
     EXPECT_TRUE(chosen.is_reached);
-    const ChosenLut usual = choose_lut(wished_lut(test::job_of(test::morpho), 0.1), encoding);
+    const ChosenLut usual = choose_lut(requested_lut(test::job_of(test::morpho), 0.1), encoding);
     EXPECT_EQ(chosen.lut.job.width, usual.lut.job.width);
 }
 
 TEST(ChooseLut, OfAColourThatDoesNotChangeNeedsTwoTexels) {
     const Palette constant{{{30.0, {540.0, 120.0, 0.9}}}};
     // All that it errs by is how half rounds it, 5e-4 of each component at most.
-    const ChosenLut chosen = choose_lut(wished_lut(test::job_of(constant), 0.1), encoding);
+    const ChosenLut chosen = choose_lut(requested_lut(test::job_of(constant), 0.1), encoding);
     EXPECT_EQ(choice_of(chosen), (Choice{2, 1, half}));
     EXPECT_NEAR(chosen.predicted.total, chosen.predicted.storage, 1e-9);
     EXPECT_LE(chosen.predicted.interpolation, 1e-9);
-    EXPECT_EQ(choice_of(choose_lut(wished_lut(test::job_of(constant), 0.001), encoding)), (Choice{2, 1, single}));
+    EXPECT_EQ(choice_of(choose_lut(requested_lut(test::job_of(constant), 0.001), encoding)), (Choice{2, 1, single}));
 }
 
 // The numbers below are no truth: they guard against evaluations that crept in, which nobody would see otherwise. Lower
@@ -373,11 +375,11 @@ TEST(ChooseLut, TakesNoMoreEvaluationsThanItDid) {
         work.probes = probes;
         return work;
     };
-    EXPECT_EQ(test::without_effects(choose_lut(wished_lut(test::job_of(test::morpho), 0.1), encoding).work),
+    EXPECT_EQ(test::without_effects(choose_lut(requested_lut(test::job_of(test::morpho), 0.1), encoding).work),
               work_of(14189, 2109, 12080));
-    EXPECT_EQ(test::without_effects(choose_lut(wished_lut(test::job_of(test::beetle), 0.01), encoding).work),
+    EXPECT_EQ(test::without_effects(choose_lut(requested_lut(test::job_of(test::beetle), 0.01), encoding).work),
               work_of(10882, 1341, 9541));
-    EXPECT_EQ(test::without_effects(choose_lut(wished_lut(width_plane(), 1.0), encoding).work),
+    EXPECT_EQ(test::without_effects(choose_lut(requested_lut(width_plane(), 1.0), encoding).work),
               work_of(125574, 7523, 118051));
 }
 

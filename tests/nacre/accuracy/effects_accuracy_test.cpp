@@ -75,7 +75,7 @@ PlannedLut planned(const ModelScene& scene) {
     lut.job.material = {scene.name, scene.mechanism, {}};
     lut.job.light = light_of(scene.illuminant, scene.observer_deg);
     lut.job.x = default_axis(quantity_of(scene.mechanism));
-    lut.wish.max_de00 = scene.max_de00;
+    lut.request.max_de00 = scene.max_de00;
     return lut;
 }
 

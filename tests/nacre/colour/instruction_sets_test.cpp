@@ -33,11 +33,11 @@ TEST(InstructionSets, EveryOneOfThemGivesTheExactIntegral) {
             const double peak_nm = peak(generator);
             const double width_nm = std::exp(log_width(generator));
             const Xyz fast = lobe_to_xyz(weights, peak_nm, width_nm, 1.0);
-            const Xyz twin = lobe_to_xyz_per_cell(weights, peak_nm, width_nm, 1.0);
+            const Xyz scalar = lobe_to_xyz_per_cell(weights, peak_nm, width_nm, 1.0);
             // 470 products of order 0.01 to 1, each rounded: 1e-13 leaves room for any order of summation.
-            ASSERT_NEAR(fast.x, twin.x, 1e-13) << hwy::TargetName(target) << " " << peak_nm << " " << width_nm;
-            ASSERT_NEAR(fast.y, twin.y, 1e-13) << hwy::TargetName(target) << " " << peak_nm << " " << width_nm;
-            ASSERT_NEAR(fast.z, twin.z, 1e-13) << hwy::TargetName(target) << " " << peak_nm << " " << width_nm;
+            ASSERT_NEAR(fast.x, scalar.x, 1e-13) << hwy::TargetName(target) << " " << peak_nm << " " << width_nm;
+            ASSERT_NEAR(fast.y, scalar.y, 1e-13) << hwy::TargetName(target) << " " << peak_nm << " " << width_nm;
+            ASSERT_NEAR(fast.z, scalar.z, 1e-13) << hwy::TargetName(target) << " " << peak_nm << " " << width_nm;
         }
     }
     allow_instruction_sets(0);

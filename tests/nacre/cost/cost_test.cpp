@@ -21,7 +21,7 @@ namespace {
 const Encoding encoding = test::rec709_encoding();
 
 std::vector<CostCase> cases_of(const Job& job, double bound = 0.1) {
-    return cost_cases(test::wished_lut(job, bound), encoding, bound);
+    return cost_cases(test::requested_lut(job, bound), encoding, bound);
 }
 
 std::vector<CostCase> of_family(const std::vector<CostCase>& cases, CostFamily family) {
@@ -82,7 +82,7 @@ TEST(Cost, OverAParameterHasNoOtherAxesToOffer) {
     EXPECT_EQ(of_family(cases, CostFamily::mistake).size(), 4U);
     EXPECT_EQ(of_family(cases, CostFamily::integral).size(), 9U);
     for (const CostCase& cost : cases) EXPECT_EQ(cost.axis, "peak_nm") << cost.label;
-    // The rivals get the lobe of each texel, not of the first.
+    // The baselines get the lobe of each texel, not of the first.
     const auto errors = errors_of(cases, CostFamily::integral);
     EXPECT_LT(errors.at("1 nm sum"), 0.05);
     EXPECT_LT(errors.at("exact integral"), 0.05);

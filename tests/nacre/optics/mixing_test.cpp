@@ -186,9 +186,10 @@ TEST(Mixing, EveryInstructionSetGivesTheTwinsNumbers) {
             std::vector<Response> responses(wavelengths_nm.size());
             MultilayerSolver(system, wavelengths_nm).responses(incidence, responses);
             for (std::size_t j = 0; j < responses.size(); ++j) {
-                const Response twin = multilayer_response(system, incidence, wavelengths_nm[j]);
+                const Response scalar = multilayer_response(system, incidence, wavelengths_nm[j]);
                 // A rounding of each index; next to poles of p, where a permittivity is near 0, a thousand times more.
-                expect_near(responses[j], twin, 1e-10, std::string(hwy::TargetName(target)) + " " + std::to_string(i));
+                expect_near(responses[j], scalar, 1e-10,
+                            std::string(hwy::TargetName(target)) + " " + std::to_string(i));
             }
             if (HasFailure()) break;
         }
@@ -210,17 +211,17 @@ TEST(Mixing, NextToNoPermittivityNothingOverflows) {
         }
         const LayerSystem system = builder.take();
         const MultilayerSolver solver(system, wavelengths_nm);
-        const Response twin = multilayer_response(system, incidence, wavelengths_nm[0]);
+        const Response scalar = multilayer_response(system, incidence, wavelengths_nm[0]);
         Response response;
         solver.responses(incidence, {&response, 1});
         // The permittivity that is left, 6e-13, is known to a part in a thousand, but hardly any light gets past it.
-        expect_near(response, twin, 1e-9, std::to_string(periods));
-        EXPECT_GT(twin.reflectance_p, 0.99) << periods;
+        expect_near(response, scalar, 1e-9, std::to_string(periods));
+        EXPECT_GT(scalar.reflectance_p, 0.99) << periods;
         std::vector<double> one(solver.padded_count(), 0.0);
         one[0] = 1.0;
         const std::array<const double*, 3> weights{one.data(), one.data(), one.data()};
-        EXPECT_NEAR(solver.weighted_reflectances(incidence, weights)[0], twin.reflectance(), 1e-9) << periods;
-        EXPECT_NEAR(solver.weighted_reflectances(incidence, weights, Polarisation::p)[0], twin.reflectance_p, 1e-9)
+        EXPECT_NEAR(solver.weighted_reflectances(incidence, weights)[0], scalar.reflectance(), 1e-9) << periods;
+        EXPECT_NEAR(solver.weighted_reflectances(incidence, weights, Polarisation::p)[0], scalar.reflectance_p, 1e-9)
             << periods;
     }
 }

@@ -76,7 +76,7 @@ TEST(Neighbours, ExchangeWhatMayChangePlaces) {
         Objective objective(search, daylight(), lazy);
         Rated answer = objective.rated(exchanged, SearchDetail::refinement);
         ASSERT_GT(answer.error, 1.0);
-        Neighbours(search, nothing, objective).polish(answer);
+        Neighbours(search, nothing, objective).try_whole_numbers(answer);
         EXPECT_EQ(answer.error < 1e-6, may) << answer.error;
     }
 }
@@ -89,9 +89,9 @@ TEST(Neighbours, LeadToBetterAnswersAndKeepTheBest) {
     std::vector<Rated> answers{objective.rated(design_of(search, {1.2, 130.0, 1.7, 120.0}), SearchDetail::refinement)};
     const double before = answers.front().error;
     Neighbours neighbours(search, count, objective);
-    neighbours.wander(answers, 0);
+    neighbours.perturb(answers, 0);
     EXPECT_EQ(answers.size(), 1u);
-    neighbours.wander(answers, 64);
+    neighbours.perturb(answers, 64);
     EXPECT_GT(steps, 64);
     EXPECT_LT(answers.front().error, 0.7 * before);
     EXPECT_TRUE(std::is_sorted(answers.begin(), answers.end(), is_better));

@@ -287,7 +287,7 @@ TEST(LayeredScene, OldPlacesOfSamplingCountsStillWorkWithAWarning) {
     const Plan now = plan_of(folder, film_scene +
                                          "[accuracy.sampling]\nnodes = 64\nthickness_samples = 16\nbase_directions = "
                                          "6\nradii = 12\nslices = 8\n");
-    EXPECT_EQ(old.luts[0].wish.sampling, now.luts[0].wish.sampling);
+    EXPECT_EQ(old.luts[0].request.sampling, now.luts[0].request.sampling);
     EXPECT_TRUE(now.warnings.empty());
     ASSERT_EQ(old.warnings.size(), 5u);
     const auto expect_warning = [&](std::size_t i, const std::string& text) {
@@ -319,13 +319,13 @@ TEST(LayeredHeader, SaysWhereSpectraWereSampled) {
     for (const std::string nodes : {"nodes = 64", "nodes = [64, 64, 64, 64]", "nodes = [32, 64, 128, 128]"}) {
         Plan plan = plan_of(folder, rough + "[accuracy.sampling]\n" + nodes + "\nthickness_samples = 16\n");
         PlannedLut& lut = plan.luts[0];
-        ASSERT_GT(lut.wish.sampling.nodes.front(), 0);
-        EXPECT_EQ(lut.wish.sampling.thickness_samples, 16);
-        lut.job.sampling = choose_sampling(lut.job, {1e-3, 0.1}, lut.wish.sampling).sampling;
+        ASSERT_GT(lut.request.sampling.nodes.front(), 0);
+        EXPECT_EQ(lut.request.sampling.thickness_samples, 16);
+        lut.job.sampling = choose_sampling(lut.job, {1e-3, 0.1}, lut.request.sampling).sampling;
         const std::string header = scene_toml(lut, plan.colour);
         const Plan again = plan_of(folder, header);
-        EXPECT_EQ(again.luts[0].wish.sampling.nodes, lut.wish.sampling.nodes) << header;
-        EXPECT_EQ(again.luts[0].wish.sampling.thickness_samples, 16) << header;
+        EXPECT_EQ(again.luts[0].request.sampling.nodes, lut.request.sampling.nodes) << header;
+        EXPECT_EQ(again.luts[0].request.sampling.thickness_samples, 16) << header;
         EXPECT_TRUE(again.warnings.empty()) << again.warnings.front();
     }
     const Plan sampled = plan_of(folder, rough + "[accuracy]\nwavelengths = 81\n");

@@ -64,7 +64,7 @@ TEST(Band, WeakLosslessStackPeaksWhereBraggsLawSays) {
     }
 }
 
-// The simple twin of the solver, at every two thousandths of a nanometre, as the second road.
+// The solver's scalar reference implementation, at every two thousandths of a nanometre, as the second road.
 TEST(Band, PeakIsFoundToAHundredthOfANanometre) {
     for (const double degrees : {0.0, 35.0}) {
         const Stack stack = films_in_air(10, 0.0);

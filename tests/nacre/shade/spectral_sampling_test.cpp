@@ -245,7 +245,7 @@ TEST(SpectralSampling, AScenesOwnWavelengthsSampleEveryFringeAsItIs) {
     EXPECT_NEAR(colour.at(normal).y, to_xyz(job.light->grid_weights, spectrum).y, 1e-12);
 }
 
-TEST(SpectralSampling, NodesThatAreWishedForAreTakenAndTheirErrorIsTold) {
+TEST(SpectralSampling, RequestedNodesAreTakenAndTheirErrorIsTold) {
     const Job job = job_of(film_of(1000.0, 1.8));
     SamplingCounts few;
     few.nodes = {8, 8, 12, 16};
@@ -269,11 +269,11 @@ TEST(SpectralSampling, AnIrregularStackIsAMeanOverRealisations) {
     EXPECT_GE(chosen.sampling.thickness_samples, 16);
     EXPECT_LE(chosen.spread_error, 0.2);  // as far as a search goes, if not 0.1
     EXPECT_EQ(chosen.sampling.thickness_samples % 2, 0);
-    SamplingCounts wish;
-    wish.thickness_samples = 6;
-    const ChosenSampling wished = choose_sampling(job_of(rough), tolerance_of(1e-3), wish);
-    EXPECT_EQ(wished.sampling.thickness_samples, 6);
-    EXPECT_GT(wished.spread_error, 0.0);
+    SamplingCounts request;
+    request.thickness_samples = 6;
+    const ChosenSampling requested = choose_sampling(job_of(rough), tolerance_of(1e-3), request);
+    EXPECT_EQ(requested.sampling.thickness_samples, 6);
+    EXPECT_GT(requested.spread_error, 0.0);
 }
 
 struct Sampled {

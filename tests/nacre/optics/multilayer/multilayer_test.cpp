@@ -31,7 +31,7 @@ Response solved(const LayerSystem& system, double theta_deg, double wavelength_n
     return response;
 }
 
-// The simple twin and the solver: every textbook identity holds for both.
+// The scalar reference implementation and the solver: every textbook identity holds for both.
 std::vector<Response> both(const LayerSystem& system, double theta_deg, double wavelength_nm = 550.0) {
     return {multilayer_response(system, Incidence::from_degrees(theta_deg), wavelength_nm),
             solved(system, theta_deg, wavelength_nm)};
@@ -344,11 +344,12 @@ TEST(Multilayer, EveryInstructionSetGivesTheTwinsNumbers) {
             double sum = 0.0;
             std::vector<double> weights(solver.padded_count(), 0.0);
             for (std::size_t j = 0; j < wavelengths_nm.size(); ++j) {
-                const Response twin = multilayer_response(system, incidence, wavelengths_nm[j]);
+                const Response scalar = multilayer_response(system, incidence, wavelengths_nm[j]);
                 // Up to 100 layers of a few roundings each, next to band edges up to a thousand times more.
-                expect_near(responses[j], twin, 1e-10, std::string(hwy::TargetName(target)) + " " + std::to_string(i));
+                expect_near(responses[j], scalar, 1e-10,
+                            std::string(hwy::TargetName(target)) + " " + std::to_string(i));
                 weights[j] = 0.1 * static_cast<double>(j + 1);
-                sum += weights[j] * twin.reflectance();
+                sum += weights[j] * scalar.reflectance();
             }
             std::vector<double> ones(solver.padded_count(), 0.0);
             ones[3] = 1.0;

@@ -1,4 +1,4 @@
-#include "nacre/cost/rivals.h"
+#include "nacre/cost/baselines.h"
 
 #include <gtest/gtest.h>
 
@@ -72,10 +72,11 @@ std::vector<Lobe> many_lobes() {
     return lobes;
 }
 
-void expect_plain_sum(const Rival& rival, const LightSettings& settings, const Observation& observer, int step_nm) {
+void expect_plain_sum(const Baseline& baseline, const LightSettings& settings, const Observation& observer,
+                      int step_nm) {
     double largest = 0.0;
     for (const Lobe& lobe : many_lobes()) {
-        const Xyz one = rival.to_xyz(lobe);
+        const Xyz one = baseline.to_xyz(lobe);
         const Xyz other = plain_sum(settings, observer, step_nm, lobe);
         largest = std::max({largest, std::abs(one.x - other.x), std::abs(one.y - other.y), std::abs(one.z - other.z)});
         ASSERT_TRUE(std::isfinite(one.x + one.y + one.z)) << lobe.peak_nm << ' ' << lobe.width_nm;
@@ -84,11 +85,12 @@ void expect_plain_sum(const Rival& rival, const LightSettings& settings, const O
     EXPECT_LT(largest, 1e-12) << settings.illuminant << ' ' << step_nm;
 }
 
-TEST(Rivals, SumsAreThePlainLoopOverEveryStep) {
+TEST(Baselines, SumsAreThePlainLoopOverEveryStep) {
     for (const LightSettings& settings : many_settings()) {
         const auto light = test::light_of(settings);
         for (const int step_nm : {1, 2, 5, 10, 20})
-            expect_plain_sum(*make_sum_rival(*light, step_nm), light->settings, table_of(settings.observer), step_nm);
+            expect_plain_sum(*make_sum_baseline(*light, step_nm), light->settings, table_of(settings.observer),
+                             step_nm);
     }
 }
 
@@ -147,7 +149,7 @@ Xyz largest_misfit(const Observation& fit, Observer observer) {
     return largest;
 }
 
-TEST(Rivals, FitsOfTheFileAreTheCiesFunctionsAsNearlyAsWymanSays) {
+TEST(Baselines, FitsOfTheFileAreTheCiesFunctionsAsNearlyAsWymanSays) {
     // Table 1 and figure 2 of the article: 0.0140, 0.0080 and 0.0222 at most for the fit of many lobes.
     const Xyz multi = largest_misfit(fit_of_file("multi1931"), Observer::cie1931_2deg);
     EXPECT_NEAR(multi.x, 0.0140, 1e-4);
@@ -159,28 +161,28 @@ TEST(Rivals, FitsOfTheFileAreTheCiesFunctionsAsNearlyAsWymanSays) {
     EXPECT_LT(std::max({single_10deg.x, single_10deg.y, single_10deg.z}), 0.07);
 }
 
-TEST(Rivals, FitsAreThePlainLoopOverTheArticlesFormulas) {
+TEST(Baselines, FitsAreThePlainLoopOverTheArticlesFormulas) {
     for (const LightSettings& settings : many_settings()) {
         const auto light = test::light_of(settings);
         const bool is_2deg = settings.observer == Observer::cie1931_2deg;
-        expect_plain_sum(*make_fit_rival(*light, false), light->settings,
+        expect_plain_sum(*make_fit_baseline(*light, false), light->settings,
                          fit_of_file(is_2deg ? "multi1931" : "single1964"), 5);
-        expect_plain_sum(*make_fit_rival(*light, true), light->settings,
+        expect_plain_sum(*make_fit_baseline(*light, true), light->settings,
                          fit_of_file(is_2deg ? "single1931" : "single1964"), 5);
     }
 }
 
-TEST(Rivals, WhatReflectsAllIsWhiteToAllOfThem) {
+TEST(Baselines, WhatReflectsAllIsWhiteToAllOfThem) {
     // A band of a millimetre is 1 - 1.1e-6 at the farthest wavelength from its peak.
     const Lobe white{595.0, 1e6, 1.0};
     for (const char* illuminant : {"D65", "A", "FL2"}) {
         const auto light = test::light_of(illuminant);
-        std::vector<std::unique_ptr<Rival>> rivals;
-        for (const int step_nm : {1, 5, 20}) rivals.push_back(make_sum_rival(*light, step_nm));
-        for (const bool single_lobe : {false, true}) rivals.push_back(make_fit_rival(*light, single_lobe));
-        rivals.push_back(make_three_wavelengths_rival());
-        for (std::size_t i = 0; i < rivals.size(); ++i) {
-            const Xyz seen = rivals[i]->to_xyz(white);
+        std::vector<std::unique_ptr<Baseline>> baselines;
+        for (const int step_nm : {1, 5, 20}) baselines.push_back(make_sum_baseline(*light, step_nm));
+        for (const bool single_lobe : {false, true}) baselines.push_back(make_fit_baseline(*light, single_lobe));
+        baselines.push_back(make_three_wavelengths_baseline());
+        for (std::size_t i = 0; i < baselines.size(); ++i) {
+            const Xyz seen = baselines[i]->to_xyz(white);
             EXPECT_NEAR(seen.x, d65_white.x, 2e-6) << illuminant << ' ' << i;
             EXPECT_NEAR(seen.y, 1.0, 2e-6) << illuminant << ' ' << i;
             EXPECT_NEAR(seen.z, d65_white.z, 2e-6) << illuminant << ' ' << i;
@@ -188,21 +190,21 @@ TEST(Rivals, WhatReflectsAllIsWhiteToAllOfThem) {
     }
 }
 
-TEST(Rivals, FinerSumsComeNearerToTheIntegral) {
+TEST(Baselines, FinerSumsComeNearerToTheIntegral) {
     const auto light = test::light_of();
-    const auto worst_of = [&](const Rival& rival) {
+    const auto worst_of = [&](const Baseline& baseline) {
         double worst = 0.0;
         for (double peak_nm = 430.0; peak_nm < 660.0; peak_nm += 3.7) {
             const Lobe lobe{peak_nm, 40.0, 1.0};
             const Xyz exact =
                 adapt(light->adaptation, lobe_to_xyz(light->weights, lobe.peak_nm, lobe.width_nm, lobe.height));
-            worst = std::max(worst, std::abs(rival.to_xyz(lobe).y - exact.y));
+            worst = std::max(worst, std::abs(baseline.to_xyz(lobe).y - exact.y));
         }
         return worst;
     };
     double last = 1.0;
     for (const int step_nm : {20, 10, 5, 2, 1}) {
-        const double worst = worst_of(*make_sum_rival(*light, step_nm));
+        const double worst = worst_of(*make_sum_baseline(*light, step_nm));
         // A kinked integrand: the error falls with the square of the step.
         EXPECT_LT(worst, 0.5 * last) << step_nm;
         last = worst;
@@ -210,11 +212,11 @@ TEST(Rivals, FinerSumsComeNearerToTheIntegral) {
     EXPECT_LT(last, 1e-4);
 }
 
-TEST(Rivals, ABandAtOneOfThreeWavelengthsIsThatPureColour) {
+TEST(Baselines, ABandAtOneOfThreeWavelengthsIsThatPureColour) {
     // Dominant wavelengths of Rec.709's primaries against D65: 611.4, 549.1 and 464.3 nm (sRGB's, as published).
     const glm::dmat3 to_rgb = xyz_to_rgb_matrix(*primaries_by_interop_id("lin_rec709_scene"));
     const auto rgb_of = [&](double peak_nm) {
-        return adapt(to_rgb, make_three_wavelengths_rival()->to_xyz({peak_nm, 30.0, 0.8}));
+        return adapt(to_rgb, make_three_wavelengths_baseline()->to_xyz({peak_nm, 30.0, 0.8}));
     };
     // A wavelength in whole nanometres is off by a half at most: the cosine loses 0.0014 to that. Of the others nothing
     // but the rounding of two inverse matrices is seen.

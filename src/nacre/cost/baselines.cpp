@@ -1,4 +1,4 @@
-#include "nacre/cost/rivals.h"
+#include "nacre/cost/baselines.h"
 
 #include <algorithm>
 #include <array>
@@ -44,9 +44,9 @@ SpectralNodes padded(SpectralNodes nodes) {
     return nodes;
 }
 
-class SumRival final : public Rival {
+class SumBaseline final : public Baseline {
 public:
-    SumRival(const Light& light, int step_nm) : first_nm_(light.weights.first_nm), step_nm_(step_nm) {
+    SumBaseline(const Light& light, int step_nm) : first_nm_(light.weights.first_nm), step_nm_(step_nm) {
         Xyz white;
         for (int i = 0; i < light.weights.count(); i += step_nm) {
             const auto node = static_cast<std::size_t>(i);
@@ -119,9 +119,9 @@ double dominant_wavelength_nm(Chromaticity primary) {
     return best_nm;
 }
 
-class ThreeWavelengthsRival final : public Rival {
+class ThreeWavelengthsBaseline final : public Baseline {
 public:
-    ThreeWavelengthsRival() {
+    ThreeWavelengthsBaseline() {
         const RgbPrimaries primaries = *primaries_by_interop_id("lin_rec709_scene");
         nm_ = {dominant_wavelength_nm(primaries.red), dominant_wavelength_nm(primaries.green),
                dominant_wavelength_nm(primaries.blue)};
@@ -176,9 +176,9 @@ Xyz single_lobe_fit_10deg(double nm) {
             1.011 * gauss(nm, 556.1, 1.0 / 46.14, 1.0 / 46.14), 2.060 * std::exp(-32.0 * z * z)};
 }
 
-class FitRival final : public Rival {
+class FitBaseline final : public Baseline {
 public:
-    FitRival(const Light& light, bool single_lobe) : first_nm_(light.weights.first_nm) {
+    FitBaseline(const Light& light, bool single_lobe) : first_nm_(light.weights.first_nm) {
         fit_ = light.settings.observer == Observer::cie1964_10deg ? single_lobe_fit_10deg
                : single_lobe                                      ? single_lobe_fit
                                                                   : multi_lobe_fit;
@@ -230,28 +230,28 @@ private:
 
 }  // namespace
 
-std::unique_ptr<Rival> make_sum_rival(const Light& light, int step_nm) {
-    return std::make_unique<SumRival>(light, step_nm);
+std::unique_ptr<Baseline> make_sum_baseline(const Light& light, int step_nm) {
+    return std::make_unique<SumBaseline>(light, step_nm);
 }
 
 SpectralNodes sum_nodes(const Light& light, int step_nm) {
-    return padded(SumRival(light, step_nm).nodes(light));
+    return padded(SumBaseline(light, step_nm).nodes(light));
 }
 
 SpectralNodes three_wavelengths_nodes(const Light& light) {
-    return padded(ThreeWavelengthsRival().nodes(light));
+    return padded(ThreeWavelengthsBaseline().nodes(light));
 }
 
 SpectralNodes fit_nodes(const Light& light, bool single_lobe) {
-    return padded(FitRival(light, single_lobe).nodes(light));
+    return padded(FitBaseline(light, single_lobe).nodes(light));
 }
 
-std::unique_ptr<Rival> make_three_wavelengths_rival() {
-    return std::make_unique<ThreeWavelengthsRival>();
+std::unique_ptr<Baseline> make_three_wavelengths_baseline() {
+    return std::make_unique<ThreeWavelengthsBaseline>();
 }
 
-std::unique_ptr<Rival> make_fit_rival(const Light& light, bool single_lobe) {
-    return std::make_unique<FitRival>(light, single_lobe);
+std::unique_ptr<Baseline> make_fit_baseline(const Light& light, bool single_lobe) {
+    return std::make_unique<FitBaseline>(light, single_lobe);
 }
 
 }  // namespace nacre

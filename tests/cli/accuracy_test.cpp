@@ -26,7 +26,7 @@ ProgramResult bake(const TemporaryFolder& folder, const std::string& scene, std:
     folder.file("s.toml", scene);
     std::vector<std::string> arguments{"bake", "s.toml", "-o", "out"};
     arguments.insert(arguments.end(), more.begin(), more.end());
-    return run(folder, std::move(arguments));
+    return run(folder, arguments);
 }
 
 TEST(Accuracy, AskedAndReachedStandInHeaderManifestAndSummary) {

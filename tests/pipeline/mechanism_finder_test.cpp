@@ -547,7 +547,7 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"NeitherColourNorBand", "mechanism = \"film\"\npicks = [ { angle_deg = 0 } ]\n", "colour is missing"},
         Mistake{"MeasuredGrating",
                 "mechanism = \"grating\"\nprofile = \"lamellar\"\npicks = { measured = \"x.csv\" }\n",
-                "measured spectra are of light that is reflected as by a mirror"}),
+                "measured spectra describe mirror reflection, and a grating has none"}),
     [](const auto& mistake) { return std::string(mistake.param.name); });
 
 }  // namespace

@@ -98,8 +98,8 @@ double largest_difference(const Colours& one, const Colours& other, ProbeTally& 
     return largest;
 }
 
-SpectralSampling with_nodes(SpectralSampling sampling, std::shared_ptr<const SpectralNodes> nodes) {
-    sampling.nodes.fill(std::move(nodes));
+SpectralSampling with_nodes(SpectralSampling sampling, const std::shared_ptr<const SpectralNodes>& nodes) {
+    sampling.nodes.fill(nodes);
     return sampling;
 }
 

@@ -61,7 +61,7 @@ Colours colours_at(const Probes& probes, std::size_t band, const SpectralSamplin
 double largest_difference(const Colours& one, const Colours& other, ProbeTally& tally);
 
 /// A sampling with as many nodes in all bands.
-SpectralSampling with_nodes(SpectralSampling sampling, std::shared_ptr<const SpectralNodes> nodes);
+SpectralSampling with_nodes(SpectralSampling sampling, const std::shared_ptr<const SpectralNodes>& nodes);
 std::shared_ptr<const SpectralNodes> nodes_of_count(const Light& light, int count);
 
 }  // namespace nacre

@@ -17,9 +17,10 @@ double distance(const IndexCurve& curve, double n) {
     constexpr int first_nm = 400;
     constexpr int last_nm = 700;
     constexpr int step_nm = 10;
+    constexpr int count = (last_nm - first_nm) / step_nm + 1;
     double sum = 0.0;
     for (int nm = first_nm; nm <= last_nm; nm += step_nm) sum += std::norm(curve.at(nm) - n);
-    return std::sqrt(sum / ((last_nm - first_nm) / step_nm + 1));
+    return std::sqrt(sum / count);
 }
 
 std::size_t nearest(double n, std::span<const std::shared_ptr<const IndexCurve>> materials) {

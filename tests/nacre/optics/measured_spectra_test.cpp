@@ -44,7 +44,7 @@ MeasuredSpectra one_wavelength(std::vector<double> angles_deg, const std::vector
 
 TEST(MeasuredSpectra, WhatWasMeasuredComesBackToTheBit) {
     reference::Uniform uniform(1);
-    for (const std::size_t angles : {1, 2, 3, 7, 40}) {
+    for (const std::size_t angles : {1U, 2U, 3U, 7U, 40U}) {
         const MeasuredSpectra spectra = random_spectra(uniform, angles, 5);
         for (std::size_t angle = 0; angle < angles; ++angle) {
             const std::vector<double> out = spectrum_at(spectra, spectra.angle_deg[angle]);

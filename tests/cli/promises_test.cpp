@@ -48,7 +48,7 @@ TEST(Promises, OfATiltedFilmAreNotHundredsOfTimesTooHigh) {
     for (const char* tilt : {"tilt_deg = 25", "tilt_deg = 60"}) {
         const Outcome outcome = bake(film + tilt);
         EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
-        EXPECT_EQ(outcome.err.find("out of reach"), std::string::npos) << outcome.err;
+        EXPECT_EQ(outcome.err.find("cannot be reached"), std::string::npos) << outcome.err;
         EXPECT_LE(outcome.predicted, 0.1) << tilt;
         EXPECT_LE(outcome.width, 256) << tilt;
     }
@@ -69,7 +69,7 @@ TEST(Promises, CountWhatGivenSumsErrBy) {
                                            {base, "sampling = { base_directions = 2 }"}}) {
         const Outcome outcome = bake(material, counts);
         EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
-        EXPECT_NE(outcome.err.find("out of reach"), std::string::npos) << counts << ": " << outcome.err;
+        EXPECT_NE(outcome.err.find("cannot be reached"), std::string::npos) << counts << ": " << outcome.err;
         EXPECT_NE(outcome.err.find("sums over base, radii or slices cost"), std::string::npos) << outcome.err;
         EXPECT_GE(1.1 * outcome.predicted, outcome.reached) << counts;
         EXPECT_EQ(bake(material, std::string(counts) + "\nmax_de00 = 0.1").exit_code, 4) << counts;

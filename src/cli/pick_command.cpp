@@ -146,8 +146,7 @@ void pick_mechanism(const PickOptions& options, Console& console) {
     };
     const Plan asked = plan_of(scene_text({options.name, asked_lines(options), picks(), "", true}), options, console);
     if (asked.searches.empty())
-        throw Error("--mechanism " + options.mechanism +
-                    ": picks can lead to a palette, film, stack, grating or crystal");
+        throw Error("--mechanism " + options.mechanism + ": picks can lead to " + mechanisms_with_picks());
     const MaterialSearch& search = asked.searches.front();
     const auto chosen = static_cast<std::size_t>(std::max(options.choose, 1) - 1);
     if (chosen >= search.found.size()) {
@@ -228,7 +227,7 @@ std::vector<Option> options_of(PickOptions& options) {
          .range = Allowed{1, most_counted}},
         {.names = "--mechanism",
          .target = &options.mechanism,
-         .help = "palette (default), film, stack, grating or crystal",
+         .help = mechanisms_with_picks() + "; default: palette",
          .value_name = "NAME"},
         {.names = "--with",
          .target = &options.with,

@@ -127,6 +127,42 @@ std::string name_of_page(const testing::TestParamInfo<MarkdownPage>& info) {
 
 INSTANTIATE_TEST_SUITE_P(Page, Documentation, testing::ValuesIn(all_pages()), name_of_page);
 
+// ---- The pages on mechanisms
+
+// Whether a line begins like this and contains the word.
+bool has_line(const Lines& lines, const std::string& begin, const std::string& word) {
+    return std::any_of(lines.begin(), lines.end(), [&](const std::string& line) {
+        return line.substr(0, begin.size()) == begin && line.find(word) != std::string::npos;
+    });
+}
+
+TEST(MechanismPages, NameEveryMechanism) {
+    const Lines first_page = read_markdown(root / "configs/README.md").lines;
+    const Lines page = read_markdown(root / "configs/mechanisms.md").lines;
+    const Lines listed = lines_of(run_nacre({"list", "mechanisms"}).out);
+    EXPECT_FALSE(listed.empty());
+    for (const std::string& line : listed) {
+        const std::string name = line.substr(0, line.find(' '));
+        EXPECT_TRUE(has_line(first_page, "| `mechanism` |", name)) << "configs/README.md: " << name;
+        EXPECT_TRUE(has_line(page, "| [", name)) << "configs/mechanisms.md: " << name;
+    }
+}
+
+TEST(MechanismPages, NameEveryMechanismThatPicksCanLeadTo) {
+    const std::string refusal = run_nacre({"pick", "#123@0", "--mechanism", "scatter"}).err;
+    const std::string before = "known for palette, ";
+    const std::size_t found = refusal.find(before);
+    ASSERT_NE(found, std::string::npos) << refusal;
+    const Lines page = read_markdown(root / "configs/picking.md").lines;
+    const Lines help = lines_of(run_nacre({"pick", "--help"}).out);
+    std::string names = lines_of(refusal.substr(found + before.size())).front() + ", ";
+    for (; !names.empty(); names.erase(0, names.find(", ") + 2)) {
+        const std::string name = names.substr(0, names.find(", "));
+        EXPECT_TRUE(has_line(page, "| " + name + " |", "")) << "configs/picking.md: " << name;
+        EXPECT_TRUE(has_line(help, "  " + name + " ", "")) << "nacre pick --help: " << name;
+    }
+}
+
 // ---- The first page
 
 TEST(Readme, IsOnePage) {

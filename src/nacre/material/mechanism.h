@@ -33,8 +33,8 @@ struct Effects {
 };
 
 /// The closed list of what makes the colour of a material. Each room that treats mechanisms differently has one table
-/// with one row per alternative, in this order; src/README.md lists the tables, and the compiler names each that lacks
-/// a row.
+/// with one row per alternative; tables that are arrays have this order. src/README.md lists the tables, and the
+/// compiler names each that lacks a row.
 using MechanismModel = std::variant<Palette, Film, Stack, Grating, Crystal, Scatter, MeasuredSpectra>;
 
 /// A mechanism, and what refines it.

@@ -5,14 +5,14 @@
 
 namespace nacre {
 
-/// How a mechanism is searched for: one row each, in MechanismModel's order.
+/// How a mechanism is searched for: one row each.
 struct SearchRow {
     SearchEffort effort;  ///< for many free numbers
     /// See complexity_of(); null: it is never searched for.
     double (*complexity)(const Mechanism&);
 };
 
-const SearchRow& search_row_of(const Mechanism& mechanism);
+SearchRow search_row_of(const Mechanism& mechanism);
 
 /// The complexity of a mechanism: layers, planes or grooves first, then nanometres. Smaller is simpler; only
 /// mechanisms of one kind compare. 0 for what is never searched for.

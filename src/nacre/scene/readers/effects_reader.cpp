@@ -33,7 +33,7 @@ constexpr std::array polarisation_words{
 // A key that refines some mechanisms, and where their rows refuse it.
 struct EffectKey {
     std::string_view key;
-    std::string_view EffectRefusals::*refusal;
+    Refusal EffectRefusals::*refusal;
 };
 constexpr std::array effect_keys{
     EffectKey{"base", &EffectRefusals::base},
@@ -57,7 +57,7 @@ void refuse_others_keys(const Table& table, const Mechanism& mechanism) {
     const EffectRefusals& refusals = reader_of(mechanism).refusals;
     for (const Table::Entry& entry : table.entries()) {
         for (const EffectKey& key : effect_keys) {
-            const std::string_view refusal = refusals.*key.refusal;
+            const Refusal& refusal = refusals.*key.refusal;
             if (key.key != entry.key || refusal.empty()) continue;
             entry.read = true;
             table.note(entry.key_where, entry.key + " has no meaning for mechanism " +

@@ -74,7 +74,11 @@ const MechanismReader film_reader{
     .substrate = film_substrate,
     .warning = nullptr,
     .check_axis = nullptr,
-    .refusals = {.orders = no_orders},
+    .refusals = {.base = not_refused,
+                 .tilt_deg = not_refused,
+                 .polarisation = not_refused,
+                 .thickness_spread_nm = not_refused,
+                 .orders = no_orders},
 };
 
 }  // namespace nacre

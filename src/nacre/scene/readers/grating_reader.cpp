@@ -223,7 +223,8 @@ const MechanismReader grating_reader{
     .refusals = {.base = "which transmits nothing",
                  .tilt_deg = "whose colour does not depend on an angle to facets",
                  .polarisation = "whose theory is scalar",
-                 .thickness_spread_nm = "which has no layers"},
+                 .thickness_spread_nm = "which has no layers",
+                 .orders = not_refused},
 };
 
 }  // namespace nacre

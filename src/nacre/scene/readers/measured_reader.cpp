@@ -38,7 +38,6 @@ std::vector<double> read_ascending(const Table& table, std::string_view key, con
     return numbers;
 }
 
-// What measured_toml() writes.
 // One row per angle, one number per wavelength.
 std::vector<double> read_rows(const Table& table, const MeasuredSpectra& spectra) {
     const std::size_t wavelengths = spectra.wavelength_nm.size();
@@ -121,6 +120,7 @@ const MechanismReader measured_reader{
     .warning = nullptr,
     .check_axis = nullptr,
     .refusals = {.base = no_transmission,
+                 .tilt_deg = not_refused,
                  .polarisation = "whose light is that of the measurement",
                  .thickness_spread_nm = "whose measurement contains the spread",
                  .orders = no_orders},

@@ -51,15 +51,6 @@ bool takes_picks(const MechanismReader& reader) {
     return reader.search != nullptr || &reader == &palette_reader;
 }
 
-std::string mechanisms_with_picks() {
-    std::vector<std::string> known;
-    const std::vector<std::string> names = mechanism_names();
-    for (std::size_t i = 0; i < names.size(); ++i) {
-        if (takes_picks(reader_at(i))) known.push_back(names[i]);
-    }
-    return comma_separated(known);
-}
-
 }  // namespace
 
 const MechanismReader& reader_at(std::size_t index) {
@@ -68,6 +59,15 @@ const MechanismReader& reader_at(std::size_t index) {
 
 const MechanismReader& reader_of(const Mechanism& mechanism) {
     return reader_at(mechanism.index());
+}
+
+std::string mechanisms_with_picks() {
+    std::vector<std::string> known;
+    const std::vector<std::string> names = mechanism_names();
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        if (takes_picks(reader_at(i))) known.push_back(names[i]);
+    }
+    return comma_separated(known);
 }
 
 ReadMechanism read_mechanism(const Table& table, const SceneContext& context) {

@@ -12,13 +12,18 @@
 
 namespace nacre {
 
-/// Why a key that refines other mechanisms has no meaning for this one; empty: it has one.
+/// Why a key that refines other mechanisms has no meaning for this one; empty: it has one. A reader that does not say
+/// it of every key does not compile.
+struct Refusal : std::string_view {
+    using std::string_view::string_view;
+    Refusal() = delete;
+};
 struct EffectRefusals {
-    std::string_view base{};
-    std::string_view tilt_deg{};
-    std::string_view polarisation{};
-    std::string_view thickness_spread_nm{};
-    std::string_view orders{};
+    Refusal base;
+    Refusal tilt_deg;
+    Refusal polarisation;
+    Refusal thickness_spread_nm;
+    Refusal orders;
 };
 
 /// What scenes know of a mechanism. One row per mechanism, at the end of its own file; mechanism_reader.cpp lists them.
@@ -39,8 +44,9 @@ struct MechanismReader {
 };
 
 /// Refusals that several mechanisms share.
-inline constexpr std::string_view no_orders = "which has no diffraction orders";
-inline constexpr std::string_view no_transmission = "which has no transmittance";
+inline constexpr Refusal not_refused{""};
+inline constexpr Refusal no_orders{"which has no diffraction orders"};
+inline constexpr Refusal no_transmission{"which has no transmittance"};
 
 extern const MechanismReader palette_reader;
 extern const MechanismReader film_reader;

@@ -48,7 +48,8 @@ void keep_shard(std::vector<BakeTask>& tasks, const std::string& shard) {
     unsigned count = 0;
     char rest = 0;
     if (std::sscanf(shard.c_str(), "%6u/%6u%c", &index, &count, &rest) != 2 || index < 1 || index > count) {
-        throw Error("--shard " + in_quotes(shard) + ": is not a shard (I/N); give --shard 1/4 for the first of four");
+        throw Error("--shard " + in_quotes(shard) +
+                    " is not a shard I/N with I from 1 to N; give, for example, --shard 1/4 for the first of four");
     }
     std::vector<BakeTask> kept;
     for (std::size_t i = index - 1; i < tasks.size(); i += count) kept.push_back(tasks[i]);
@@ -142,7 +143,7 @@ int run_bake(const BakeOptions& options, bool with_luts, Console& console) {
     const std::vector<DecidedLut> luts = decide_luts(tasks, execution);
     const std::size_t out_of_reach = report_out_of_reach(luts, options.best_effort, console);
     if (out_of_reach > 0 && !options.best_effort) {
-        console.error("nothing was written; --best-effort writes the most accurate LUTs there are");
+        console.error("nothing was written; --best-effort writes the most accurate LUTs that nacre found");
         return exit_not_verified;
     }
     return options.dry_run ? report_dry_run(tasks, console) : bake(tasks, options, execution, console);
@@ -152,7 +153,7 @@ std::vector<Option> shared_options(BakeOptions& options) {
     return {scenes_option(options.scenes),
             {.names = "-o,--output",
              .target = &options.folder,
-             .help = "folder for the files; created if it is missing",
+             .help = "folder for the files; nacre creates it if it is missing",
              .value_name = "DIR",
              .shows_default = true},
             only_option(options.only),
@@ -172,9 +173,10 @@ Command bake_command() {
     Command command{"bake", "bake scenes into LUTs, manifests and swatches", shared_options(*options), {}};
     command.options.push_back(accuracy_option(options->accuracy));
     command.options.push_back(effects_option(options->effects));
-    command.options.push_back({.names = "--best-effort",
-                               .target = &options->best_effort,
-                               .help = "also write LUTs whose error bound is out of reach, as accurate as possible"});
+    command.options.push_back(
+        {.names = "--best-effort",
+         .target = &options->best_effort,
+         .help = "also write LUTs whose error bound is out of reach, as accurate as nacre can make them"});
     command.options.push_back({.names = "--shard",
                                .target = &options->shard,
                                .help = "bake only every N-th LUT and swatch, starting with the I-th; for render farms",

@@ -17,7 +17,7 @@ Option scenes_option(std::vector<std::string>& scenes) {
 Option only_option(std::vector<std::string>& names) {
     return {.names = "--only",
             .target = &names,
-            .help = "bake only the LUTs and swatches of these names: --only a b, or --only a,b",
+            .help = "use only the LUTs and swatches with these names, as in --only a b or --only a,b; default: all",
             .value_name = "NAME",
             .is_list = true};
 }
@@ -25,14 +25,14 @@ Option only_option(std::vector<std::string>& names) {
 Option ocio_option(std::string& file) {
     return {.names = "--ocio",
             .target = &file,
-            .help = "OpenColorIO config to use instead of the scene's and of $OCIO",
+            .help = "OpenColorIO config; default: that of the scene, else $OCIO, else the config that nacre contains",
             .value_name = "FILE"};
 }
 
 Option threads_option(int& threads) {
     return {.names = "--threads",
             .target = &threads,
-            .help = "number of threads; 0: one per core",
+            .help = "number of threads; 0 means one per core",
             .value_name = "N",
             .shows_default = true,
             .range = allowed_threads};
@@ -47,7 +47,7 @@ Option strict_option(bool& is_strict) {
 Option accuracy_option(double& bound) {
     return {.names = "--accuracy",
             .target = &bound,
-            .help = "largest colour error (CIEDE2000), instead of the scene's max_de00; default: 0.1",
+            .help = "largest colour error (CIEDE2000); default: max_de00 of the scene, else 0.1",
             .value_name = "DE",
             .range = allowed_max_de00};
 }
@@ -56,8 +56,8 @@ Option effects_option(std::string& word) {
     return {.names = "--effects",
             .target = &word,
             .help =
-                "auto: leave out effects whose absence stays within their share of the error bound (default); all: "
-                "simulate every effect that the scene names",
+                "auto: leave out effects that change colours by less than their share of the error bound; all: "
+                "simulate every effect that the scene names; default: effects of the scene, else auto",
             .value_name = "auto|all",
             .allowed = {"auto", "all"}};
 }

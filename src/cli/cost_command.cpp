@@ -34,7 +34,7 @@ const PlannedLut& lut_named(const Plan& plan, const std::string& name) {
         if (lut.name == name) return lut;
         known.push_back(lut.name);
     }
-    throw Error("--lut " + name + ": the scene has no LUT of that name; known: " + known_like(name, known));
+    throw Error("--lut " + in_quotes(name) + ": the scene has no LUT of that name; known: " + known_like(name, known));
 }
 
 int run_cost(const CostOptions& options, Console& console) {
@@ -69,25 +69,27 @@ int run_cost(const CostOptions& options, Console& console) {
 
 Command cost_command() {
     const auto options = std::make_shared<CostOptions>();
-    Command command{"cost", "compare error and time of every method and size: table, CSV, picture", {}, {}};
-    command.options = {{.names = "SCENE", .target = &options->scene, .help = "scene file (TOML)", .is_required = true},
-                       {.names = "--lut",
-                        .target = &options->lut,
-                        .help = "which LUT of the scene; default: the first",
-                        .value_name = "NAME"},
-                       {.names = "-o,--output",
-                        .target = &options->folder,
-                        .help = "also write the picture, its CSV and its gnuplot script into this folder",
-                        .value_name = "DIR"},
-                       accuracy_option(options->accuracy),
-                       ocio_option(options->ocio)};
+    Command command{"cost", "compare error and time of about sixty ways to make a LUT: table, CSV, picture", {}, {}};
+    command.options = {
+        {.names = "SCENE", .target = &options->scene, .help = "scene file (TOML)", .is_required = true},
+        {.names = "--lut",
+         .target = &options->lut,
+         .help = "which LUT of the scene; default: the first",
+         .value_name = "NAME"},
+        {.names = "-o,--output",
+         .target = &options->folder,
+         .help =
+             "also write the picture, its CSV and its gnuplot script into this folder; default: print the table only",
+         .value_name = "DIR"},
+        accuracy_option(options->accuracy),
+        ocio_option(options->ocio)};
     command.footer =
-        "\nMakes one LUT in about sixty ways. Each row says how far its colours are off (CIEDE2000, the largest error "
+        "\nMakes one LUT in about sixty ways. Each row shows the error of its colours (CIEDE2000, the largest error "
         "of\n"
-        "what a shader can fetch) and how long one thread took to make it: nacre's own choice for bounds from 5 to\n"
-        "0.002; sums over every 1 to 20 nm, fits of the observer, three wavelengths; fixed sizes on every axis; "
-        "common\n"
-        "mistakes; and every effect of the material switched off in turn.\n"
+        "what a shader can fetch) and the time that one thread took to make it. The ways are nacre's own choice for\n"
+        "bounds from 5 to 0.002; sums over every 1 to 20 nm, analytic fits of the CIE observer, three wavelengths;\n"
+        "fixed sizes on every axis; common mistakes; and every effect of the material switched off in turn. The last\n"
+        "column adds the time that nacre needs to choose size, format and sampling and to measure the error.\n"
         "The picture needs gnuplot (Debian package gnuplot-nox).\n\nExample:\n"
         "  nacre cost configs/scenes/morpho.toml -o out\n";
     command.run = [options](Console& console) { return run_cost(*options, console); };

@@ -65,7 +65,8 @@ std::vector<std::string> cost_lines(const std::vector<CostRow>& rows) {
             std::none_of(rows.begin(), rows.end(), [&](const CostRow& row) { return row.cost.family == text.family; });
         if (is_empty) continue;
         if (!cells.empty()) cells.emplace_back();
-        cells.push_back({std::string(text.heading), "x", "texels", "format", "size", "dE00", "time", "all in all"});
+        cells.push_back(
+            {std::string(text.heading), "x", "texels", "format", "size", "dE00", "bake time", "with choosing"});
         for (const CostRow& row : rows) {
             const CostCase& cost = row.cost;
             if (cost.family != text.family) continue;

@@ -45,7 +45,7 @@ std::vector<std::string> effect_lines(const std::string& lut, const std::vector<
     if (!effects.empty()) lines = table_lines(rows, {false, false, true, false});
     if (absent.empty()) return lines;
     constexpr std::size_t width = 100;
-    std::string line = "not in " + lut + ":";
+    std::string line = "effects not in " + lut + ":";
     for (std::size_t i = 0; i < absent.size(); ++i) {
         const std::string word = " " + absent[i] + (i + 1 < absent.size() ? "," : "");
         if (line.size() + word.size() > width) lines.push_back(std::exchange(line, "   "));

@@ -8,7 +8,7 @@
 namespace nacre {
 
 std::string comparison_comment(const std::string& file, const std::string& what, const std::vector<AngleFit>& angles) {
-    std::vector<std::vector<std::string>> rows{{"angle", "measured peak", "its peak", "error", "dE00"}};
+    std::vector<std::vector<std::string>> rows{{"angle", "measured peak", what + " peak", "error", "dE00"}};
     for (const AngleFit& angle : angles) {
         const bool has_peak = std::isfinite(angle.peak_nm);
         rows.push_back({number_text(angle.angle_deg) + " deg", fixed_text(angle.measured_peak_nm, 1) + " nm",
@@ -16,7 +16,7 @@ std::string comparison_comment(const std::string& file, const std::string& what,
                         has_peak ? fixed_text(angle.peak_nm - angle.measured_peak_nm, 1) + " nm" : "",
                         significant_text(angle.de00, 3)});
     }
-    std::string text = "# " + file + ", and this " + what + ":\n";
+    std::string text = "# How this " + what + " fits " + file + ":\n";
     for (const std::string& line : table_lines(rows, {true, true, true, true, true})) text += "#   " + line + "\n";
     return text;
 }

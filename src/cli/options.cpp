@@ -25,7 +25,8 @@ constexpr const char* description =
 
 constexpr const char* main_footer =
     "\nExit codes: 0 success; 1 some LUTs failed, the others were written; 2 the scene or the command line is wrong,\n"
-    "nothing was written; 3 input or output failed; 4 accuracy or verification not reached; 143 stopped by SIGTERM.\n\n"
+    "nothing was written; 3 input or output failed; 4 accuracy or verification not reached; 130 stopped by\n"
+    "Ctrl+C; 143 stopped by SIGTERM.\n\n"
     "Example:\n  nacre bake configs/scenes/morpho.toml -o out\n";
 
 // "--output" of "-o,--output".
@@ -46,7 +47,7 @@ struct Given {
 // ---- from words to values
 
 [[noreturn]] void refuse(const Option& option, const std::string& word, const std::string& why) {
-    throw Error(long_name(option) + " " + in_quotes(word) + ": " + why);
+    throw Error(long_name(option) + " " + in_quotes(word) + " " + why);
 }
 
 template <typename Number>
@@ -74,7 +75,7 @@ void store(const Given& given) {
     for (const std::string& word : words) {
         if (!option.allowed.empty() &&
             std::find(option.allowed.begin(), option.allowed.end(), word) == option.allowed.end())
-            refuse(option, word, "is not known here; allowed: " + comma_separated(option.allowed));
+            refuse(option, word, "is unknown; known: " + comma_separated(option.allowed));
     }
     if (auto* const* texts = std::get_if<std::vector<std::string>*>(&option.target)) {
         **texts = words;
@@ -85,8 +86,8 @@ void store(const Given& given) {
         return;
     }
     if (words.size() > 1) {
-        throw Error(is_option(option.names) ? long_name(option) + ": is given twice; give it once"
-                                            : "unexpected " + in_quotes(words[1]));
+        throw Error(is_option(option.names) ? long_name(option) + " is given twice; give it once"
+                                            : "unexpected argument " + in_quotes(words[1]));
     }
     if (auto* const* text = std::get_if<std::string*>(&option.target)) **text = words.front();
     if (auto* const* whole = std::get_if<int*>(&option.target)) **whole = number_in<int>(option, words.front());
@@ -181,7 +182,7 @@ std::vector<std::string> option_names(const Command* command) {
 }
 
 std::string unexpected(const std::string& word, const Command* command) {
-    if (!is_option(word)) return "unexpected " + in_quotes(word);
+    if (!is_option(word)) return "unexpected argument " + in_quotes(word);
     const std::vector<std::string> near = nearest_names(word, option_names(command));
     return "unknown option " + in_quotes(word) + (near.empty() ? "" : "; did you mean " + comma_separated(near) + "?");
 }
@@ -194,7 +195,7 @@ std::string refusal(const CLI::ParseError& error, const CLI::App& app, const Com
     if (dynamic_cast<const CLI::ArgumentMismatch*>(&error) != nullptr && command != nullptr) {
         const std::string name = text.substr(0, text.find(':'));
         for (const Option& option : command->options) {
-            if (long_name(option) == name) return name + ": needs a value, " + name + " " + option.value_name;
+            if (long_name(option) == name) return name + " needs a value: " + name + " " + option.value_name;
         }
     }
     return text;

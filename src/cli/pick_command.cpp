@@ -131,7 +131,7 @@ void pick_palette(const PickOptions& options, Console& console) {
 
 std::string answers_comment(const MaterialSearch& search, std::size_t chosen) {
     std::string text = "# " + answer_text(search, chosen) + "\n";
-    if (search.found.size() > 1) text += "# Others, which --choose N prints:\n";
+    if (search.found.size() > 1) text += "# Other answers; --choose N prints the N-th:\n";
     for (std::size_t i = 0; i < search.found.size(); ++i) {
         if (i != chosen) text += "#   " + std::to_string(i + 1) + ": " + answer_text(search, i) + "\n";
     }
@@ -150,8 +150,8 @@ void pick_mechanism(const PickOptions& options, Console& console) {
     const MaterialSearch& search = asked.searches.front();
     const auto chosen = static_cast<std::size_t>(std::max(options.choose, 1) - 1);
     if (chosen >= search.found.size()) {
-        throw Error("--choose " + std::to_string(options.choose) + ": there are " +
-                    std::to_string(search.found.size()) + " answers");
+        throw Error("--choose " + std::to_string(options.choose) + ": the answers are 1 to " +
+                    std::to_string(search.found.size()) + "; give one of these numbers");
     }
     const std::string material = mechanism_toml(rounded_answer(search, chosen));
     // What is printed is what is judged.
@@ -198,9 +198,11 @@ int run_pick(const PickOptions& options, Console& console) {
     check_with(options.with);
     check_swatch_name(options);
     if (options.count > 0 && !(is_measured && is_palette(options)))
-        throw Error("--picks: sets the number of palette picks for measured spectra; give it with --measured only");
+        throw Error(
+            "--picks sets the number of palette picks for measured spectra; give it only with --measured, and without "
+            "another --mechanism");
     if (options.choose > 0 && is_palette(options))
-        throw Error("--choose: picks have only one palette; give --mechanism, or leave --choose out");
+        throw Error("--choose: a palette is the only answer; give another --mechanism, or leave --choose out");
     if (!is_palette(options)) {
         pick_mechanism(options, console);
     } else if (is_measured) {
@@ -222,7 +224,7 @@ std::vector<Option> options_of(PickOptions& options) {
          .value_name = "FILE"},
         {.names = "--picks",
          .target = &options.count,
-         .help = "how many picks of a palette stand for measured spectra; default: 2",
+         .help = "number of picks of the palette that is fitted to measured spectra; default: 2",
          .value_name = "N",
          .range = Allowed{1, most_counted}},
         {.names = "--mechanism",
@@ -237,7 +239,7 @@ std::vector<Option> options_of(PickOptions& options) {
          .value_name = "KEY=VALUE"},
         {.names = "--choose",
          .target = &options.choose,
-         .help = "which of the answers, the best first; default: 1",
+         .help = "print the N-th of the answers, the best of which is the first; default: 1",
          .value_name = "N",
          .range = Allowed{1, most_counted}},
         {.names = "--space",
@@ -251,7 +253,8 @@ std::vector<Option> options_of(PickOptions& options) {
          .shows_default = true},
         {.names = "--swatch",
          .target = &options.swatch,
-         .help = "also draw a picture: picked beside reached colours, and the strip between them",
+         .help = "also draw a picture: each picked colour beside the colour that the material reaches, and a strip "
+                 "over all angles",
          .value_name = "FILE.png"},
         ocio_option(options.ocio),
         strict_option(options.strict)};
@@ -264,7 +267,7 @@ Command pick_command() {
     Command command{"pick", "turn colours at angles into a scene", options_of(*options), {}};
     command.footer =
         "\nPrints a scene with the picks and the material that shows them. A palette has one band of reflectance per\n"
-        "pick. Of any other mechanism, nacre searches the values that --with does not fix:\n"
+        "pick. For any other mechanism, nacre searches these numbers, except those that --with fixes:\n"
         "  film     index 1.2-2.6, thickness_nm 0-1500, substrate 1-4\n"
         "  stack    two layers in turn: film 1.2-2.6, film_nm 20-400, gap 1-2.6, gap_nm 20-400, films 1-40, substrate "
         "1-4\n"

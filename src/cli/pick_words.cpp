@@ -65,15 +65,16 @@ void check_with(const std::vector<std::string>& with) {
             "; give KEY=VALUE as in a scene: index = 1.33, index = \"water\", index = { from = 1.3, to = 1.5 }";
         const std::size_t equals = line.find('=');
         if (equals == std::string::npos || line.find('\n') != std::string::npos)
-            throw Error("--with " + in_quotes(line) + ": is not a key and a value" + wanted);
+            throw Error("--with " + in_quotes(line) + " is not a key and a value" + wanted);
         std::string key = line.substr(0, equals);
         std::erase_if(key, [](unsigned char character) { return std::isspace(character) != 0; });
         try {
             parse_scene(line, "--with");
         } catch (const Error&) {
-            throw Error("--with " + in_quotes(line) + ": is not TOML; put text in quotes" + wanted);
+            throw Error("--with " + in_quotes(line) + " is not TOML; put text in quotes" + wanted);
         }
-        if (std::find(keys.begin(), keys.end(), key) != keys.end()) throw Error("--with " + key + ": is given twice");
+        if (std::find(keys.begin(), keys.end(), key) != keys.end())
+            throw Error("--with " + key + " is given twice; give it once");
         keys.push_back(std::move(key));
     }
 }

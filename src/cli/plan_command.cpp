@@ -88,11 +88,13 @@ Command plan_command() {
                        ocio_option(options->ocio),       threads_option(options->threads),
                        strict_option(options->strict)};
     command.footer =
-        "\nThe table says of each LUT its axes, size, number format and spectral sampling, the expected error\n"
-        "(CIEDE2000, the largest over the LUT), and the time that one thread of this machine needs.\n"
-        "Below it stand the parts of that error, the largest first, and the effects of the material: simulated, or\n"
-        "negligible because leaving them out changes no colour by more than their share of the error bound. Effects "
-        "are\n"
+        "\nThe table shows for each LUT its axes, size and number format, how spectra are integrated, the expected "
+        "error\n"
+        "(CIEDE2000, the largest over the LUT), and the time that one thread of this machine needs. The integral is\n"
+        "exact, or the number of wavelengths (nodes; several numbers where more are needed towards grazing angles)\n"
+        "times the number of random thicknesses, of radii or of slices.\n"
+        "Below the table stand the parts of the error, the largest first, and the effects of the material: simulated,\n"
+        "or negligible because leaving one out changes colours by less than its share of the error bound. Effects are\n"
         "sorted by cost: the share of the bake time that leaving one out would save.\n"
         "Nothing is written. The exit code is 4 if an error bound that you gave is out of reach.\n\nExample:\n"
         "  nacre plan configs/scenes/morpho.toml --accuracy 0.5\n";

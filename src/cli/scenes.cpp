@@ -41,8 +41,8 @@ std::vector<LoadedScene> open_scenes(const std::vector<std::string>& paths, cons
                                      Console& console) {
     std::vector<LoadedScene> scenes = load_scenes(paths, request);
     for (const LoadedScene& scene : scenes) {
-        console.note(scene.path + ": " + std::to_string(scene.plan.luts.size()) + " LUTs and " +
-                     std::to_string(scene.plan.swatches.size()) + " swatches; OpenColorIO config " +
+        console.note(scene.path + ": LUTs: " + std::to_string(scene.plan.luts.size()) +
+                     ", swatches: " + std::to_string(scene.plan.swatches.size()) + "; OpenColorIO config " +
                      scene.source.config + ", space " + scene.space->name());
     }
     check_names(request.only, scenes);

@@ -200,12 +200,13 @@ Command spectrum_command() {
         {.names = "SCENE", .target = &options->scene, .help = "scene file (TOML)", .is_required = true},
         {.names = "--material",
          .target = &options->materials,
-         .help = "only these materials of the scene: --material a b, or --material a,b; default: all",
+         .help = "only these materials of the scene, as in --material a b or --material a,b; default: all",
          .value_name = "NAME",
          .is_list = true},
         {.names = "--angle",
          .target = &options->angles_deg,
-         .help = "degrees from the normal, 0 to 90; of scattering the angle by which light is turned, 0 to 180: "
+         .help = "angles in degrees from the normal, 0 to 90; for scattering, the scattering angle, 0 to 180 (0 is "
+                 "straight on): "
                  "--angle 0 20 40; default: 0",
          .value_name = "DEG",
          .is_list = true},
@@ -219,14 +220,14 @@ Command spectrum_command() {
          .target = &options->xyz,
          .help = "print X, Y, Z under the scene's light, before and after adaptation to D65"}};
     command.footer =
-        "\nThe numbers come from the exact model, not from a LUT. Films, stacks and crystals reflect and transmit; "
-        "the\n"
-        "rest to 1 is absorbed. Every other mechanism is opaque (T = 0), and only scattering distinguishes s from p.\n"
-        "R_s, R_p and R are the reflectances of the two polarisations and of unpolarised light. Of a grating, lit "
-        "along\n"
-        "its normal, R is power per unit of sin(angle); of scattering, 1 is a layer that sends all light evenly into\n"
-        "all directions.\n\n"
-        "Examples:\n"
+        "\nThe numbers come from the exact model, not from a LUT. Films, stacks and crystals reflect and transmit "
+        "light, and\n"
+        "absorb what remains. Every other mechanism is opaque (T = 0), and of these only scattering distinguishes s "
+        "from\n"
+        "p. R_s, R_p and R are the reflectances of the two polarisations and of unpolarised light. For a grating, "
+        "which\n"
+        "is lit along its normal, R is the power per unit of sin(angle). For scattering, R is 1 if a layer sends all\n"
+        "light evenly in all directions.\n\nExamples:\n"
         "  nacre spectrum configs/scenes/morpho.toml --material morpho --angle 0 20 40\n"
         "  nacre spectrum configs/scenes/soap_film.toml --material soap_film --points points.csv\n";
     command.run = [options](Console& console) { return run_spectrum(*options, console); };

@@ -4,7 +4,7 @@
 # only effect that means anything for it, neutral, and the file holds every other mechanism with all effects that it
 # has, some of which name files that do not exist. Exit 1 if anything grows by more than 1 %, or a byte of a LUT differs.
 #
-# Counted from main() on: the dynamic linker takes as much again, and is the same for both. Of it, `settle` is what
+# Counted from main() on: the dynamic linker takes as much again, and is the same for both. Of it, `choose` is what
 # decides on size and integral, and `bake` what computes texels; the rest reads the scene and the OpenColorIO config,
 # converts, measures and writes.
 #
@@ -106,7 +106,7 @@ END
 scene > plain.toml
 { scene 'tilt_deg = 0'; everything_else; } > every.toml
 
-# counts SCENE: instructions of main, settle and bake.
+# counts SCENE: instructions of main, choose_lut and bake.
 counts() {
     valgrind --tool=callgrind --toggle-collect=main --callgrind-out-file="$1.callgrind" "$nacre" bake "$1.toml" \
         -o "$1" --only line --only plane --threads 1 --quiet > "$1.log" 2>&1 || { cat "$1.log" >&2; exit 3; }
@@ -114,9 +114,9 @@ counts() {
         { count = $1; gsub(",", "", count) }
         function most(part) { if (count + 0 > total[part] + 0) total[part] = count }
         /:main \[/ { most("main") }
-        /:nacre::settle\(/ && !/lambda/ { most("settle") }
+        /:nacre::choose_lut\(/ && !/lambda/ { most("choose") }
         /:nacre::bake\(/ && !/lambda/ { most("bake") }
-        END { printf "%.0f %.0f %.0f\n", total["main"], total["settle"], total["bake"] }'
+        END { printf "%.0f %.0f %.0f\n", total["main"], total["choose"], total["bake"] }'
 }
 
 counts plain > plain.counts &
@@ -128,7 +128,7 @@ for lut in line plane; do
     cmp "plain/$lut.exr" "every/$lut.exr" || exit 1
 done
 status=0
-parts=(main settle bake)
+parts=(main choose bake)
 printf '%-8s %16s %16s %9s\n' instructions 'plain' 'could have all' growth
 for i in 0 1 2; do
     if ((plain[i] == 0 || every[i] == 0)); then

@@ -46,7 +46,7 @@ others() {
 one > one.toml
 { others "$((luts - 1))"; one | sed 1d; } > many.toml  # the last one, so that all have been passed
 
-# counts SCENE: instructions of main, of reading the scene's text, of planning, of settling.
+# counts SCENE: instructions of main, of reading the scene's text, of planning, of choosing LUTs.
 counts() {
     valgrind --tool=callgrind --toggle-collect=main --callgrind-out-file="$1.callgrind" "$nacre" bake "$1.toml" \
         -o "$1" --only wanted --threads 1 --quiet > "$1.log" 2>&1 || { cat "$1.log" >&2; exit 3; }
@@ -56,16 +56,16 @@ counts() {
         /:main \[/ { most("main") }
         /:nacre::read_scene_file\(/ && !/lambda/ { most("text") }
         /:nacre::plan_scene\(/ && !/lambda/ { most("plan") }
-        /:nacre::settle\(/ && !/lambda/ { most("settle") }
-        END { printf "%.0f %.0f %.0f %.0f\n", total["main"], total["text"], total["plan"], total["settle"] }'
+        /:nacre::choose_lut\(/ && !/lambda/ { most("choose") }
+        END { printf "%.0f %.0f %.0f %.0f\n", total["main"], total["text"], total["plan"], total["choose"] }'
 }
 
 counts one > one.counts &
 counts many > many.counts
 wait $!
 cmp one/wanted.exr many/wanted.exr || exit 1
-read -r one_main one_text one_plan one_settle < one.counts
-read -r many_main many_text many_plan many_settle < many.counts
+read -r one_main one_text one_plan one_choose < one.counts
+read -r many_main many_text many_plan many_choose < many.counts
 if ((one_text == 0 || many_text == 0)); then
     echo 'read_scene_file was not seen: is the program stripped?' >&2
     exit 3
@@ -78,7 +78,7 @@ row 'in all' "$one_main" "$many_main"
 row '  reading its text' "$one_text" "$many_text"
 row '  all but that' $((one_main - one_text)) $((many_main - many_text))
 row '    planning' "$one_plan" "$many_plan"
-row '    settling' "$one_settle" "$many_settle"
+row '    choosing LUTs' "$one_choose" "$many_choose"
 per_lut=$(((many_main - many_text - one_main + one_text) / (luts - 1)))
 printf 'of each that is not asked for: reading %d instructions, all the rest %d\n' \
     $(((many_text - one_text) / (luts - 1))) "$per_lut"

@@ -130,18 +130,18 @@ TEST(BadCommandLine, QuotesTheValueAndNamesTheHelpOfItsCommand) {
     folder.file("s.toml", scene(""));
     const auto error = [&](std::vector<std::string> arguments) { return error_of(arguments, folder, 2); };
     EXPECT_EQ(error({"bake", "s.toml", "--threads", "many"}),
-              "nacre: --threads \"many\": is not a whole number; allowed [0, 1024]; see nacre bake --help\n");
+              "nacre: --threads \"many\" is not a whole number; allowed [0, 1024]; see nacre bake --help\n");
     EXPECT_EQ(error({"plan", "s.toml", "--accuracy", "-1"}),
-              "nacre: --accuracy \"-1\": is out of range; allowed [1e-05, 100]; see nacre plan --help\n");
+              "nacre: --accuracy \"-1\" is out of range; allowed [1e-05, 100]; see nacre plan --help\n");
     EXPECT_EQ(error({"bake", "s.toml", "--treads", "3"}),
               "nacre: unknown option \"--treads\"; did you mean --threads?; see nacre bake --help\n");
     EXPECT_EQ(error({"bake", "s.toml", "--effects", "some"}),
-              "nacre: --effects \"some\": is not known here; allowed: auto, all; see nacre bake --help\n");
-    EXPECT_EQ(error({"bake", "s.toml", "-o"}), "nacre: --output: needs a value, --output DIR; see nacre bake --help\n");
+              "nacre: --effects \"some\" is unknown; known: auto, all; see nacre bake --help\n");
+    EXPECT_EQ(error({"bake", "s.toml", "-o"}), "nacre: --output needs a value: --output DIR; see nacre bake --help\n");
     EXPECT_EQ(error({"bake", "s.toml", "--accuracy", "1", "--accuracy", "2"}),
-              "nacre: --accuracy: is given twice; give it once; see nacre bake --help\n");
+              "nacre: --accuracy is given twice; give it once; see nacre bake --help\n");
     EXPECT_EQ(error({"bake"}), "nacre: SCENE is required; see nacre bake --help\n");
-    EXPECT_EQ(error({"snippet", "glsl", "hlsl"}), "nacre: unexpected \"hlsl\"; see nacre snippet --help\n");
+    EXPECT_EQ(error({"snippet", "glsl", "hlsl"}), "nacre: unexpected argument \"hlsl\"; see nacre snippet --help\n");
     EXPECT_EQ(error({"--frob"}), "nacre: unknown option \"--frob\"; see nacre --help\n");
     EXPECT_NE(error({}).find("nacre: a command is missing; known: bake, "), std::string::npos);
 }

@@ -55,7 +55,7 @@ TEST(List, WithoutANamePrintsAllListsAndWhereTheirNamesGo) {
 TEST(List, AnUnknownListIsAnErrorThatNamesTheKnown) {
     const ProgramResult result = run_nacre({"list", "colours"});
     EXPECT_EQ(result.exit_code, 2);
-    EXPECT_NE(result.err.find("nacre: LIST \"colours\": is not known here; allowed: mechanisms, "), std::string::npos)
+    EXPECT_NE(result.err.find("nacre: LIST \"colours\" is unknown; known: mechanisms, "), std::string::npos)
         << result.err;
     EXPECT_NE(result.err.find("; see nacre list --help\n"), std::string::npos) << result.err;
 }

@@ -65,7 +65,7 @@ const std::vector<Mistake> mistakes{
      ":2:1 [material.m]: unknown key \"piks\"; did you mean picks?"},
     {"MisspeltHeading", "[materail.m]\n", ":1:2: unknown key \"materail\"; did you mean material?"},
     {"ControlCharacters", scene("[lut.a]\nmaterial = \"m\\u0000\"\n"),
-     ":5:12 [lut.a]: material is 2 bytes with control characters among them; allowed is plain text of up to 4096 "
+     ":5:12 [lut.a]: material is 2 bytes with control characters among them; give plain text of up to 4096 "
      "bytes"},
     {"MisspeltBound", scene("[accuracy]\nmax_de2000 = 0.1\n"),
      ":5:1 [accuracy]: unknown key \"max_de2000\"; did you mean max_de00?"},
@@ -95,8 +95,7 @@ const std::vector<Mistake> mistakes{
     {"ShapeOutside", scene("shape = 1.5\n"), ":4:9 [material.m]: shape = 1.5 is out of range; allowed [0, 1]"},
     {"NoPick", "[material.m]\npicks = [ ]\n", ":2:9 [material.m]: picks has 0 entries; allowed 1 to 100"},
     {"OneAngleTwoColours", picks(pick_a, "angle_deg = 0, peak_nm = 500, width_nm = 70, height = 1"),
-     ":2:9 [material.beetle]: picks[0] and picks[1] are different colours at one angle, 0 degrees; allowed are angles "
-     "at "
+     ":2:9 [material.beetle]: picks[0] and picks[1] are different colours at one angle, 0 degrees; give angles at "
      "least 1e-09 degrees apart"},
     {"UnknownMechanism", "[material.m]\nmechanism = \"stuck\"\n",
      ":2:13 [material.m]: unknown mechanism \"stuck\"; known: palette, film, stack, grating, crystal, scatter, "
@@ -112,7 +111,7 @@ const std::vector<Mistake> mistakes{
     {"RangeBeyondTheTables", scene("[light]\nrange_nm = [350, 830]\n"),
      ":5:13 [light]: range_nm = 350 is out of range; allowed [360, 830] nm"},
     {"EmptyRange", scene("[light]\nrange_nm = [700, 400]\n"),
-     ":5:12 [light]: range_nm = [700, 400] is empty; the first must be smaller"},
+     ":5:12 [light]: range_nm = [700, 400] is empty; give the smaller number first"},
     {"MissingCsv", scene("[light]\nilluminant = \"no.csv\"\n"),
      ":5:14: no.csv: cannot be opened: No such file or directory"},
     {"UnknownGamut", scene("[colour]\ngamut = \"fold\"\n"),
@@ -156,9 +155,8 @@ const std::vector<Mistake> mistakes{
     {"TwoLutsOneFile", scene("[lut.a]\n[lut.A]\n"),
      ":5:6: this would write A.exr, and so would s.toml:4:6; rename one of them"},
     {"NameThatLeavesTheFolder", scene("[lut.\"../a\"]\n"),
-     ":4:6 [lut]: the name \"../a\" cannot be the name of a file; allowed are 1 to 100 of A-Z a-z 0-9 _ - . that do "
-     "not "
-     "begin with - or . or end with ."},
+     ":4:6 [lut]: the name \"../a\" cannot be the name of a file; give 1 to 100 characters out of A-Z a-z 0-9 _ - . "
+     "that do not begin with - or . and do not end with ."},
     {"NoMaterial", "nacre = 1\n", ": material is missing; a scene needs a [material.NAME]"},
     {"NewerFormat", "nacre = 2\n" + scene(""),
      ":1:9: nacre = 2 means that the scene is made for a newer nacre; this program reads nacre = 1"},
@@ -251,7 +249,8 @@ const std::vector<Mistakes> many_mistakes{
      "s.toml:5:16 [light]: range_nm = 2 is out of range; allowed [360, 830] nm\n"
      "s.toml:7:9 [colour]: unknown gamut \"fold\"; known: keep, clip, compress\n"
      "s.toml:8:1 [colour]: unknown key \"spce\"; did you mean space?\n"
-     "s.toml:11:9: unknown material \"Water\"; known: water, or a .yml or .csv file\n"
+     "s.toml:11:9: unknown material \"Water\"; nearest: water; `nacre list materials` prints all; a .yml or .csv file "
+     "is also allowed\n"
      "s.toml:12:16 [material.a]: thickness_nm = -1 is out of range; allowed [0, 1e+08] nm\n"
      "s.toml:17:8 [lut.a]: size = 100 is not a power of two; allowed 2, 4, 8 ... 4096 (engines rescale other sizes)\n"
      "s.toml:18:10 [lut.a]: unknown format \"double\"; known: half, float\n"

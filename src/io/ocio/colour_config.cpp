@@ -62,8 +62,8 @@ ColourConfig::Impl open_file(const std::string& path, const std::string& where) 
         return {{config, name.empty() ? file : file + " (" + name + ")", {}}, hash_text(inside_ocio ? path : text)};
     } catch (const OCIO::Exception& e) {
         throw Error(where + ": OCIO config " + in_quotes(path) +
-                    " is refused: " + one_line(after(e.what(), "' failed.")) + "; allowed is what OpenColorIO " +
-                    OCIO::GetVersion() + " reads");
+                    " is refused: " + one_line(after(e.what(), "' failed.")) + "; give a config that OpenColorIO " +
+                    OCIO::GetVersion() + " can read");
     }
 }
 

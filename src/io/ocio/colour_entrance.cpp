@@ -138,8 +138,9 @@ int compare_known_spaces(const OpenedConfig& opened, const Entrance& entrance, c
             ++compared;
             if (largest_difference(*probes, known.probes) <= entrance_tolerance) continue;
             throw Error(where + ": " + entrance.how + " of config " + in_quotes(opened.description) +
-                        " is wrong: by it Rec.709 red is " + numbers(probes->at(0, 0)) + " in " +
-                        in_quotes(theirs->getName()) + " and should be " + numbers(known.probes.at(0, 0)) + advice());
+                        " is wrong: it turns Rec.709 red into " + numbers(probes->at(0, 0)) + " in " +
+                        in_quotes(theirs->getName()) + ", which should be " + numbers(known.probes.at(0, 0)) +
+                        advice());
         }
     }
     return compared;
@@ -211,8 +212,8 @@ void check_neutral(const OpenedConfig& opened, const Entrance& entrance, const C
             throw Error(where + ": " + what + " of config " + in_quotes(opened.description) +
                         "; the space must keep white neutral");
         }
-        throw Error(where + ": " + entrance.how + " of config " + in_quotes(opened.description) + " is wrong: by it " +
-                    what + advice());
+        throw Error(where + ": " + entrance.how + " of config " + in_quotes(opened.description) +
+                    " is wrong: with it, " + what + advice());
     }
 }
 

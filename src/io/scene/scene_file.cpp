@@ -66,7 +66,7 @@ private:
         const Where where = where_of(node.source(), file_);
         if (depth > deepest_nesting) {
             throw Error(where.text() + ": nested deeper than " + std::to_string(deepest_nesting) +
-                        " levels; a scene is never so deep");
+                        " levels, the most that nacre reads");
         }
         if (const auto* value = node.as_boolean()) return {value->get(), where};
         if (const auto* value = node.as_integer()) return {value->get(), where};
@@ -122,7 +122,7 @@ void check_dotted_keys(const std::string& text, const std::string& name) {
         if (c == '\n' || c == '=' || c == ',' || c == '{') dots = 0;
         if (c == '.' && ++dots > most_dots) {
             throw Error(Where{name, line, 0}.text() + ": more than " + std::to_string(most_dots) +
-                        " dots in a row of names; a scene is never so deep");
+                        " dots in one name, the most that nacre reads");
         }
     }
 }

@@ -90,7 +90,9 @@ std::string offered(const std::string& name) {
     for (const OtherName& other : other_names) {
         if (other.name == key) return "did you mean " + std::string(other.material) + "?";
     }
-    return "known: " + known_like(name, shipped_material_names()) + ", or a .yml or .csv file";
+    const std::vector<std::string> known = shipped_material_names();
+    return (nearest_names(name, known, 1).empty() ? "known: " : "nearest: ") + known_like(name, known) +
+           "; `nacre list materials` prints all; a .yml or .csv file is also allowed";
 }
 
 bool names_a_file(const std::string& name) {

@@ -24,7 +24,7 @@ std::string read_text_file(const std::string& path, std::size_t most_bytes) {
         text.append(buffer.data(), count);
         if (text.size() > most_bytes) {
             throw IoError(path + ": is larger than " + std::to_string(most_bytes >> 20) +
-                          " MB; such a file is never so large");
+                          " MB, the most that nacre reads");
         }
         if (count < buffer.size()) break;
     }

@@ -35,7 +35,7 @@ std::string of_sums(const ChosenLut& chosen) {
     const SamplingCounts& given = chosen.lut.request.sampling;
     const bool is_given = given.base_directions > 0 || given.radii > 0 || given.slices > 0;
     return "sums over base, radii or slices cost " + error_text(chosen.predicted.quadrature) +
-           (is_given ? ": give more of them in [accuracy.sampling], or none" : ": give a larger bound");
+           (is_given ? ": raise their counts in [accuracy.sampling], or remove them" : ": give a larger bound");
 }
 
 std::string of_thickness_samples(const ChosenLut& chosen) {
@@ -55,7 +55,7 @@ std::string of_format(const ChosenLut& chosen) {
 std::string of_nodes(const ChosenLut& chosen) {
     const bool is_given = chosen.lut.request.sampling.nodes.front() > 0;
     return integration_text(chosen.lut.job) + " cost " + error_text(chosen.predicted.spectrum) +
-           (is_given ? ": leave nodes out, or give more" : ": give a larger bound");
+           (is_given ? ": remove [accuracy.sampling] nodes, or give more" : ": give a larger bound");
 }
 
 }  // namespace
@@ -63,7 +63,8 @@ std::string of_nodes(const ChosenLut& chosen) {
 std::string limiting_factor(const ChosenLut& chosen, const SearchEnd& end) {
     const ErrorSplit& split = chosen.predicted;
     if (split.effects > 0.5 * chosen.lut.request.max_de00) {
-        return "effects that the scene leaves out cost " + error_text(split.effects) + ": take them out of without";
+        return "effects that the scene leaves out cost " + error_text(split.effects) +
+               ": remove them from [accuracy] without";
     }
     if (split.quadrature > std::max({split.interpolation, split.spectrum, split.storage, split.spread}))
         return of_sums(chosen);

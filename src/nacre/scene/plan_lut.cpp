@@ -129,9 +129,10 @@ void check_name(const std::string& name, const Table& table, const Where& where)
     };
     if (name.empty() || name.size() > longest_name || name.front() == '.' || name.front() == '-' ||
         name.back() == '.' || !std::all_of(name.begin(), name.end(), allowed)) {
-        table.note(where, "the name " + in_quotes(name) + " cannot be the name of a file; allowed are 1 to " +
-                              std::to_string(longest_name) +
-                              " of A-Z a-z 0-9 _ - . that do not begin with - or . or end with .");
+        table.note(where,
+                   "the name " + in_quotes(name) + " cannot be the name of a file; give 1 to " +
+                       std::to_string(longest_name) +
+                       " characters out of A-Z a-z 0-9 _ - . that do not begin with - or . and do not end with .");
     }
 }
 

@@ -29,8 +29,8 @@ void check_fringes(const Table& table, const Mechanism& mechanism, const LightSe
     const double fringes = fringe_count(mechanism, light);
     if (fringes <= most_fringes) return;
     table.note(table.where(), "the layers are so thick that " + significant_text(fringes, 3) +
-                                  " fringes lie in the light's range; allowed " + number_text(most_fringes) +
-                                  "; in a stack a thick layer may be marked incoherent = true");
+                                  " fringes lie in range_nm; at most " + number_text(most_fringes) +
+                                  " are allowed; in a stack, mark thick layers with incoherent = true");
 }
 
 Materials::Materials(const Table& scene, SceneContext context, std::shared_ptr<const Light> light)

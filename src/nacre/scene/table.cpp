@@ -160,7 +160,7 @@ const std::string& Table::checked_text(std::string_view key, const Value& value)
     if (text->size() > longest_text || std::any_of(text->begin(), text->end(), is_control)) {
         fail(value.where, std::string(key) + " is " + std::to_string(text->size()) + " bytes" +
                               (text->size() > longest_text ? "" : " with control characters among them") +
-                              "; allowed is plain text of up to " + std::to_string(longest_text) + " bytes");
+                              "; give plain text of up to " + std::to_string(longest_text) + " bytes");
     }
     return *text;
 }

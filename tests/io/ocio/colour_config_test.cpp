@@ -256,8 +256,8 @@ TEST(ThirdPartyConfigs, AConfigWithNothingButDataViewsHasNoSwatches) {
 TEST(Entrance, AcesRoleThatNamesAnotherSpaceIsFoundByASaturatedColour) {
     EXPECT_EQ(message_of([] { opened("wrong_aces_role.ocio").to_colour_space("lin_rec709", where); }),
               "scene.toml:4: role \"aces_interchange\" (\"ACEScg\") of config \"wrong_aces_role.ocio (wrong)\" is "
-              "wrong: by it "
-              "Rec.709 red is (0.692, 0.045, -0.002) in \"lin_rec709\" and should be (1.000, 0.000, 0.000); correct "
+              "wrong: it turns Rec.709 red into (0.692, 0.045, -0.002) in \"lin_rec709\", which should be (1.000, "
+              "0.000, 0.000); correct "
               "the config, "
               "or name its scene-referred CIE XYZ D65 space as `interchange`");
 }
@@ -270,8 +270,8 @@ TEST(Entrance, InterchangeOfTheSceneOverrulesAWrongRole) {
 
 TEST(Entrance, RoleThatColoursWhiteIsRefusedForSpacesAndForViews) {
     const std::string message =
-        "scene.toml:4: role \"aces_interchange\" (\"Studio XYZ\") of config \"wrong_white.ocio (wrong)\" is wrong: by "
-        "it D65 white "
+        "scene.toml:4: role \"aces_interchange\" (\"Studio XYZ\") of config \"wrong_white.ocio (wrong)\" is wrong: "
+        "with it, D65 white "
         "becomes (1.205, 0.948, 0.909) in \"Studio Linear\"; correct the config, or name its scene-referred CIE XYZ "
         "D65 space as "
         "`interchange`";
@@ -413,7 +413,7 @@ TEST(Opening, WhatIsNoConfigIsRefusedInOneLine) {
         const std::string answer = message(path);
         EXPECT_EQ(answer.substr(0, 25 + path.size()), "--ocio: OCIO config \"" + path + "\" is");
         EXPECT_EQ(answer.find('\n'), std::string::npos);
-        EXPECT_NE(answer.find("; allowed is what OpenColorIO "), std::string::npos) << answer;
+        EXPECT_NE(answer.find("; give a config that OpenColorIO "), std::string::npos) << answer;
     }
     EXPECT_NE(message(write_file("bad.ocio", "ocio_profile_version: 9.5\n")).find("version 9.5"), std::string::npos);
 }

@@ -319,7 +319,7 @@ TEST(MaterialFile, SaysWhyAFileCannotBeRead) {
     EXPECT_EQ(message(sub_folder), sub_folder + ": is a folder; give a file");
     const std::string big = folder.file("big.yaml", formula_block);
     std::filesystem::resize_file(big, (16u << 20) + 1);
-    EXPECT_EQ(message(big), big + ": is larger than 16 MB; such a file is never so large");
+    EXPECT_EQ(message(big), big + ": is larger than 16 MB, the most that nacre reads");
     EXPECT_EQ(message_of([] { read_material_file("glass.txt"); }),
               "glass.txt: is not a .yml, .yaml or .csv file; give one of these");
 }

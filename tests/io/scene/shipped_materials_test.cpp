@@ -153,12 +153,14 @@ TEST(FindMaterial, TakesAFileByItsEndingAndAMaterialByItsName) {
 
 TEST(FindMaterial, NamesWhatItCannotFind) {
     EXPECT_EQ(message_for("watr", ""),
-              "s.toml:3:1: unknown material \"watr\"; known: water, air, or a .yml or .csv file");
+              "s.toml:3:1: unknown material \"watr\"; nearest: water, air; `nacre list materials` prints all; a .yml "
+              "or .csv file is also allowed");
     EXPECT_EQ(message_for("TiO2", ""),
-              "s.toml:3:1: unknown material \"TiO2\"; known: tio2, sio2, or a .yml or .csv file");
+              "s.toml:3:1: unknown material \"TiO2\"; nearest: tio2, sio2; `nacre list materials` prints all; a .yml "
+              "or .csv file is also allowed");
     EXPECT_EQ(message_for("unobtainium", ""),
-              "s.toml:3:1: unknown material \"unobtainium\"; known: ag, air, al, al2o3, aragonite, ..., or a .yml or "
-              ".csv file");
+              "s.toml:3:1: unknown material \"unobtainium\"; known: ag, air, al, al2o3, aragonite, ...; `nacre list "
+              "materials` prints all; a .yml or .csv file is also allowed");
     EXPECT_EQ(message_for("Titanium Dioxide", ""),
               "s.toml:3:1: unknown material \"Titanium Dioxide\"; did you mean tio2?");
     EXPECT_EQ(message_for("gold", ""), "s.toml:3:1: unknown material \"gold\"; did you mean au?");

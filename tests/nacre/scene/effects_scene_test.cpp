@@ -456,7 +456,7 @@ TEST(Bases, LieBelowWhatIsClearInTheLightsRange) {
     EXPECT_EQ(Scene(460, 830).message(keys), "was accepted");
     EXPECT_EQ(Scene(459, 830).message(keys),
               "s.toml:5:8 [material.m]: base lies below a substrate that absorbs, k = 0.01, so nothing comes back from "
-              "it; allowed is a substrate with k up to 1e-06");
+              "it; give a substrate with k up to 1e-06");
 }
 
 TEST(Bases, OfRgbAreMadeReadyWhereTheyAreRead) {
@@ -523,7 +523,7 @@ const std::vector<Mistake> grating_mistakes{
     {"LandBeyondAll", grating + "period_nm = 900\ndepth_nm = 1\nland = 1.1\n",
      "s.toml:5:8 [material.m]: land = 1.1 is out of range; allowed [0, 1]"},
     {"LandOfASine", grating + "period_nm = 900\ndepth_nm = 1\nprofile = \"sinusoidal\"\nland = 0.5\n",
-     "s.toml:6:8 [material.m]: land has no meaning for a sinusoidal profile; known for lamellar"},
+     "s.toml:6:8 [material.m]: land has no meaning for a sinusoidal profile; allowed for lamellar"},
     {"EfficiencyAndProfile", grating + "period_nm = 900\nefficiency = [0.1]\nprofile = \"lamellar\"\n",
      "s.toml:5:11 [material.m]: profile and efficiency are both given; give the orders' efficiency, or the profile "
      "that it follows from"},
@@ -538,8 +538,8 @@ const std::vector<Mistake> grating_mistakes{
     {"EfficiencyOfMoreThanAll", grating + "period_nm = 900\nefficiency = [1.1]\n",
      "s.toml:4:15 [material.m]: efficiency = 1.1 is out of range; allowed [0, 1]"},
     {"EfficienciesOfMoreThanAll", grating + "period_nm = 900\nefficiency = [0.3, 0.21]\n",
-     "s.toml:4:14 [material.m]: the orders and their mirror images get more than all the light, 1.02 of it; allowed is "
-     "a sum of efficiency up to 0.5"},
+     "s.toml:4:14 [material.m]: the orders of both signs get 1.02 of the light, which is more than all of it; give "
+     "efficiencies whose sum is at most 0.5"},
     {"EfficiencyThatIsNoList", grating + "period_nm = 900\nefficiency = 0.5\n",
      "s.toml:4:14 [material.m]: efficiency = 0.5 is a number; give an array"},
     {"NegativeEfficiency", grating + "period_nm = 900\nefficiency = [0.5, -0.1]\n",
@@ -576,14 +576,12 @@ const std::vector<Mistake> crystal_mistakes{
     {"SpacingOfNothing", crystal + "sphere = 1.45\ndiameter_nm = 250\nspacing_nm = 0\n",
      "s.toml:5:14 [material.m]: spacing_nm = 0 is out of range; allowed [1, 100000] nm"},
     {"SpheresPressedFlat", crystal + "sphere = 1.45\ndiameter_nm = 250\nspacing_nm = 149.9\n",
-     "s.toml:5:14 [material.m]: spacing_nm = 149.9 is too small for spheres of 250 nm; allowed is 0.6 of diameter_nm "
-     "or "
-     "more, 150 nm"},
+     "s.toml:5:14 [material.m]: spacing_nm = 149.9 is too small for spheres of 250 nm; give at least 0.6 of "
+     "diameter_nm, 150 nm"},
     {"NoPlanes", crystal + "sphere = 1.45\ndiameter_nm = 250\nplanes = 0\n",
      "s.toml:5:10 [material.m]: planes = 0 is out of range; allowed [1, 10000]"},
     {"AbsorbingIncidentMediumOfACrystal", crystal + "sphere = 1.45\ndiameter_nm = 250\nincident = { n = 1.5, k = 1 }\n",
-     "s.toml:5:12 [material.m]: incident absorbs, so no light reaches the layers through it; allowed is a medium with "
-     "k = 0"},
+     "s.toml:5:12 [material.m]: incident absorbs, so no light reaches the layers through it; give a medium with k = 0"},
     {"NegativeSpread", crystal + "sphere = 1.45\ndiameter_nm = 250\nthickness_spread_nm = -1\n",
      "s.toml:5:23 [material.m]: thickness_spread_nm = -1 is out of range; allowed [0, 10000] nm"},
     {"UnknownKeyOfACrystal", crystal + "sphere = 1.45\ndiameter_nm = 250\nlattice = \"bcc\"\n",
@@ -600,9 +598,9 @@ const std::vector<Mistake> scatter_mistakes{
     {"RadiusOfNothing", scatter + "particle = 1.5\nradius_nm = 0\n",
      "s.toml:4:13 [material.m]: radius_nm = 0 is out of range; allowed [0.1, 10000000] nm"},
     {"AbsorbingMedium", scatter + "particle = 1.5\nradius_nm = 20\nmedium = { n = 1.5, k = 1e-9 }\n",
-     "s.toml:5:10 [material.m]: medium absorbs, so no light reaches the particles; allowed is a medium with k = 0"},
+     "s.toml:5:10 [material.m]: medium absorbs, so no light reaches the particles; give a medium with k = 0"},
     {"MetalAsMedium", scatter + "particle = 1.5\nradius_nm = 20\nmedium = \"ag\"\n",
-     "s.toml:5:10 [material.m]: medium absorbs, so no light reaches the particles; allowed is a medium with k = 0"},
+     "s.toml:5:10 [material.m]: medium absorbs, so no light reaches the particles; give a medium with k = 0"},
     {"LargeForRayleigh", scatter + "particle = 1.5\nradius_nm = 58\n",
      "s.toml:4:13 [material.m]: radius_nm = 58 is not small compared with the wavelength; use model = \"mie\", or a "
      "radius up to 57.29 nm"},
@@ -610,11 +608,11 @@ const std::vector<Mistake> scatter_mistakes{
      "s.toml:4:13 [material.m]: radius_nm = 50 is not small compared with the wavelength; use model = \"mie\", or a "
      "radius up to 43.07 nm"},
     {"LargeForMie", scatter + "model = \"mie\"\nparticle = 1.5\nradius_nm = 1e6\n",
-     "s.toml:5:13 [material.m]: radius_nm = 1e+06 makes spheres of size parameters above 10000; allowed is a radius up "
-     "to 572957.79 nm"},
+     "s.toml:5:13 [material.m]: radius_nm = 1e+06 makes spheres of size parameters above 10000; give a radius up to "
+     "572957.79 nm"},
     {"LargeForMieWithItsSpread", scatter + "model = \"mie\"\nparticle = 1.5\nradius_nm = 2e4\nradius_spread = 0.5\n",
-     "s.toml:5:13 [material.m]: radius_nm = 20000 makes spheres of size parameters above 10000; allowed is a radius up "
-     "to 9947.64 nm with this radius_spread"},
+     "s.toml:5:13 [material.m]: radius_nm = 20000 makes spheres of size parameters above 10000; give a radius up to "
+     "9947.64 nm with this radius_spread"},
     {"SpreadOutOfRange", scatter + "particle = 1.5\nradius_nm = 20\nradius_spread = 0.6\n",
      "s.toml:5:17 [material.m]: radius_spread = 0.6 is out of range; allowed [0, 0.5]"},
     {"FractionOfNothing", scatter + "particle = 1.5\nradius_nm = 20\nvolume_fraction = 0\n",
@@ -624,14 +622,14 @@ const std::vector<Mistake> scatter_mistakes{
     {"LayerOfNothing", scatter + "particle = 1.5\nradius_nm = 20\nthickness_um = 0\n",
      "s.toml:5:16 [material.m]: thickness_um = 0 is out of range; allowed [1e-06, 1000000] um"},
     {"HardRadiusOfMie", scatter + "model = \"mie\"\nparticle = 1.5\nradius_nm = 20\nhard_radius_nm = 30\n",
-     "s.toml:6:18 [material.m]: hard_radius_nm has no meaning for model mie; known for quasi_ordered"},
+     "s.toml:6:18 [material.m]: hard_radius_nm has no meaning for model mie; allowed for quasi_ordered"},
     {"HardRadiusInsideTheParticle",
      scatter + "model = \"quasi_ordered\"\nparticle = 1.5\nradius_nm = 100\nhard_radius_nm = 99\n",
-     "s.toml:6:18 [material.m]: hard_radius_nm = 99 is inside the particle; allowed is radius_nm, 100 nm, or more"},
+     "s.toml:6:18 [material.m]: hard_radius_nm = 99 is inside the particle; give at least radius_nm, 100 nm"},
     {"HardSpheresTooDense",
      scatter + "model = \"quasi_ordered\"\nparticle = 1.5\nradius_nm = 100\nhard_radius_nm = 120\n",
      "s.toml:6:18 [material.m]: hard spheres of 120 nm fill 0.6912 of the volume, volume_fraction * (hard_radius_nm / "
-     "radius_nm)^3; allowed is 0.6, a hard_radius_nm up to 114.47 nm"},
+     "radius_nm)^3; at most 0.6 is allowed, which is a hard_radius_nm up to 114.47 nm"},
     {"UnknownKeyOfAScatterer", scatter + "particle = 1.5\nradius_nm = 20\ndiameter_nm = 40\n",
      "s.toml:5:1 [material.m]: unknown key \"diameter_nm\"; known: mechanism, model, particle, medium, radius_nm, "
      "radius_spread, volume_fraction, hard_radius_nm, thickness_um, polarisation"},
@@ -674,60 +672,60 @@ const std::vector<Mistake> measured_mistakes{
 
 const std::vector<Mistake> effect_mistakes{
     {"BaseOfAPalette", good_palette + "base = 0.5\n",
-     "s.toml:8:1 [material.m]: base has no meaning for mechanism palette, which has no transmittance; "
-     "known for film, stack, crystal"},
+     "s.toml:8:1 [material.m]: base has no meaning for mechanism palette, which has no transmittance; allowed for "
+     "film, stack, crystal"},
     {"BlackBaseOfAPalette", good_palette + "base = \"black\"\n",
-     "s.toml:8:1 [material.m]: base has no meaning for mechanism palette, which has no transmittance; "
-     "known for film, stack, crystal"},
+     "s.toml:8:1 [material.m]: base has no meaning for mechanism palette, which has no transmittance; allowed for "
+     "film, stack, crystal"},
     {"BaseOfAGrating", good_grating + "base = 0.5\n",
-     "s.toml:8:1 [material.m]: base has no meaning for mechanism grating, which transmits nothing; known for film, "
+     "s.toml:8:1 [material.m]: base has no meaning for mechanism grating, which transmits nothing; allowed for film, "
      "stack, crystal"},
     {"BaseOfParticles", good_scatter + "base = 0.5\n",
      "s.toml:9:1 [material.m]: base has no meaning for mechanism scatter, which models only the light that its "
-     "particles scatter; "
-     "known for film, stack, crystal"},
+     "particles scatter; allowed for film, stack, crystal"},
     {"BaseOfAMeasurement", good_measured + "base = 0.5\n",
-     "s.toml:9:1 [material.m]: base has no meaning for mechanism measured, which has no transmittance; "
-     "known for film, stack, crystal"},
+     "s.toml:9:1 [material.m]: base has no meaning for mechanism measured, which has no transmittance; allowed for "
+     "film, stack, crystal"},
     {"TiltOfAGrating", good_grating + "tilt_deg = 5\n",
-     "s.toml:8:1 [material.m]: tilt_deg has no meaning for mechanism grating, whose colour does not depend on an angle "
-     "to facets; known for palette, film, stack, crystal, measured"},
+     "s.toml:8:1 [material.m]: tilt_deg has no meaning for mechanism grating, whose colour does not depend on the "
+     "angle to the normal; allowed for palette, film, stack, crystal, measured"},
     {"TiltOfParticles", good_scatter + "tilt_deg = 5\n",
-     "s.toml:9:1 [material.m]: tilt_deg has no meaning for mechanism scatter, whose particles have no facets; known "
+     "s.toml:9:1 [material.m]: tilt_deg has no meaning for mechanism scatter, whose particles have no facets; allowed "
      "for "
      "palette, film, stack, crystal, measured"},
     {"PolarisationOfAPalette", good_palette + "polarisation = \"mean\"\n",
      "s.toml:8:1 [material.m]: polarisation has no meaning for mechanism palette, which describes unpolarised light; "
-     "known "
-     "for film, stack, crystal, scatter"},
+     "allowed for film, stack, crystal, scatter"},
     {"PolarisationOfAGrating", good_grating + "polarisation = \"s\"\n",
-     "s.toml:8:1 [material.m]: polarisation has no meaning for mechanism grating, whose theory is scalar; "
-     "known for film, stack, crystal, scatter"},
+     "s.toml:8:1 [material.m]: polarisation has no meaning for mechanism grating, whose theory is scalar; allowed for "
+     "film, stack, crystal, scatter"},
     {"PolarisationOfAMeasurement", good_measured + "polarisation = \"s\"\n",
      "s.toml:9:1 [material.m]: polarisation has no meaning for mechanism measured, whose light is that of the "
-     "measurement; known for film, stack, crystal, scatter"},
+     "measurement; allowed for film, stack, crystal, scatter"},
     {"SpreadOfAPalette", good_palette + "thickness_spread_nm = 5\n",
-     "s.toml:8:1 [material.m]: thickness_spread_nm has no meaning for mechanism palette, which has no layers; known "
+     "s.toml:8:1 [material.m]: thickness_spread_nm has no meaning for mechanism palette, which has no layers; allowed "
      "for "
      "film, stack, crystal"},
     {"SpreadOfAGrating", good_grating + "thickness_spread_nm = 5\n",
-     "s.toml:8:1 [material.m]: thickness_spread_nm has no meaning for mechanism grating, which has no layers; known "
+     "s.toml:8:1 [material.m]: thickness_spread_nm has no meaning for mechanism grating, which has no layers; allowed "
      "for "
      "film, stack, crystal"},
     {"SpreadOfParticles", good_scatter + "thickness_spread_nm = 5\n",
      "s.toml:9:1 [material.m]: thickness_spread_nm has no meaning for mechanism scatter, which has no layers "
-     "(radius_spread is for its particles); known for film, stack, crystal"},
+     "(radius_spread is for its particles); allowed for film, stack, crystal"},
     {"SpreadOfAMeasurement", good_measured + "thickness_spread_nm = 5\n",
      "s.toml:9:1 [material.m]: thickness_spread_nm has no meaning for mechanism measured, whose measurement contains "
-     "the spread; known for film, stack, crystal"},
+     "the spread; allowed for film, stack, crystal"},
     {"OrdersOfAPalette", good_palette + "orders = [1]\n",
-     "s.toml:8:1 [material.m]: orders has no meaning for mechanism palette, which has no diffraction orders; known for "
+     "s.toml:8:1 [material.m]: orders has no meaning for mechanism palette, which has no diffraction orders; allowed "
+     "for "
      "grating"},
     {"OrdersOfAFilm", good_film + "orders = [1]\n",
-     "s.toml:7:1 [material.m]: orders has no meaning for mechanism film, which has no diffraction orders; known for "
+     "s.toml:7:1 [material.m]: orders has no meaning for mechanism film, which has no diffraction orders; allowed for "
      "grating"},
     {"OrdersOfACrystal", good_crystal + "orders = [1]\n",
-     "s.toml:9:1 [material.m]: orders has no meaning for mechanism crystal, which has no diffraction orders; known for "
+     "s.toml:9:1 [material.m]: orders has no meaning for mechanism crystal, which has no diffraction orders; allowed "
+     "for "
      "grating"},
     {"TiltOutOfRange", good_film + "tilt_deg = 61\n",
      "s.toml:7:12 [material.m]: tilt_deg = 61 is out of range; allowed [0, 60] degrees"},
@@ -771,9 +769,9 @@ const std::vector<Mistake> effect_mistakes{
     {"RgbWithWavelengths", good_film + "base = { rgb = [1, 0, 0], wavelength_nm = [400, 500] }\n",
      "s.toml:7:27 [material.m]: unknown key \"wavelength_nm\"; known: rgb, spectrum, reflectance, pigment, metal"},
     {"BaseBrighterThanOne", good_film + "base = { spectrum = \"bright.csv\" }\n",
-     "s.toml:7:21 [material.m]: \"bright.csv\" is a base brighter than 1, 1.2 at 500 nm; a reflectance is 0 to 1"},
+     "s.toml:7:21 [material.m]: \"bright.csv\" has a reflectance above 1, 1.2 at 500 nm; allowed [0, 1]"},
     {"BaseBelowZero", good_film + "base = { spectrum = \"dark.csv\" }\n",
-     "s.toml:7:21 [material.m]: \"dark.csv\" is a base below 0, -0.01 at 400 nm; a reflectance is 0 to 1"},
+     "s.toml:7:21 [material.m]: \"dark.csv\" has a reflectance below 0, -0.01 at 400 nm; allowed [0, 1]"},
     {"SpectrumWithoutReflectance", good_film + "base = { wavelength_nm = [400, 500] }\n",
      "s.toml:7:8 [material.m]: reflectance is missing; give an array of numbers"},
     {"SpectrumWithoutWavelengths", good_film + "base = { reflectance = [0.4, 0.5] }\n",
@@ -795,13 +793,13 @@ const std::vector<Mistake> effect_mistakes{
      "s.toml:7:18: unknown material \"aluminium\"; did you mean al?"},
     {"BaseBelowAMetal",
      std::string("mechanism = \"film\"\nindex = 1.5\nthickness_nm = 300\nsubstrate = \"ag\"\n") + "base = 0.5\n",
-     "s.toml:6:8 [material.m]: base lies below a substrate that absorbs, k = 5.8, so nothing comes back from it; "
-     "allowed is a substrate with k up to 1e-06"},
+     "s.toml:6:8 [material.m]: base lies below a substrate that absorbs, k = 5.8, so nothing comes back from it; give "
+     "a substrate with k up to 1e-06"},
     {"BaseBelowSmokedGlass",
      std::string("mechanism = \"film\"\nindex = 1.5\nthickness_nm = 300\nsubstrate = { n = 1.5, k = 2e-6 }\n") +
          "base = { metal = \"al\" }\n",
      "s.toml:6:8 [material.m]: base lies below a substrate that absorbs, k = 2e-06, so nothing comes back from it; "
-     "allowed is a substrate with k up to 1e-06"},
+     "give a substrate with k up to 1e-06"},
 };
 
 INSTANTIATE_TEST_SUITE_P(Grating, BadEffects, testing::ValuesIn(grating_mistakes), name_of_case);

@@ -403,11 +403,9 @@ const std::vector<Mistake> mistakes{
     {"GainInATable", film_with("{ wavelength_nm = [360, 830], n = [1.5, 1.5], k = [0, -1] }"),
      "s.toml:3:63 [material.f]: k = -1 is out of range; allowed [0, 1000]"},
     {"AbsorbingIncidentMedium", std::string(good_film) + "incident = { n = 1.5, k = 0.1 }\n",
-     "s.toml:5:12 [material.f]: incident absorbs, so no light reaches the layers through it; allowed is a medium with "
-     "k = 0"},
+     "s.toml:5:12 [material.f]: incident absorbs, so no light reaches the layers through it; give a medium with k = 0"},
     {"MetalAsIncidentMedium", std::string(good_film) + "incident = \"ag\"\n",
-     "s.toml:5:12 [material.f]: incident absorbs, so no light reaches the layers through it; allowed is a medium with "
-     "k = 0"},
+     "s.toml:5:12 [material.f]: incident absorbs, so no light reaches the layers through it; give a medium with k = 0"},
     {"MaterialThatIsNotKnownThere", film_with("\"late.csv\""),
      "s.toml:3:9 [material.f]: \"late.csv\" is known from 450 to 900 nm, and the light needs 360 to 830 nm; narrow "
      "[light] range_nm, or write outside = \"hold\" to go on with its end values"},
@@ -418,9 +416,11 @@ const std::vector<Mistake> mistakes{
      "s.toml:3:9 [material.f]: this index is known from 400 to 700 nm, and the light needs 360 to 830 nm; narrow "
      "[light] range_nm, or write outside = \"hold\" to go on with its end values"},
     {"UnknownMaterial", film_with("\"tio\""),
-     "s.toml:3:9: unknown material \"tio\"; known: tio2, air, oil, si, sio2, or a .yml or .csv file"},
+     "s.toml:3:9: unknown material \"tio\"; nearest: tio2, air, oil, si, sio2; `nacre list materials` prints all; a "
+     ".yml or .csv file is also allowed"},
     {"UnknownMaterialLikeNoOther", film_with("\"zzzzz\""),
-     "s.toml:3:9: unknown material \"zzzzz\"; known: ag, air, al, al2o3, aragonite, ..., or a .yml or .csv file"},
+     "s.toml:3:9: unknown material \"zzzzz\"; known: ag, air, al, al2o3, aragonite, ...; `nacre list materials` prints "
+     "all; a .yml or .csv file is also allowed"},
     {"MaterialWithoutAName", film_with("\"\""),
      "s.toml:3:9 [material.f]: index is empty; give a number or the name of a material"},
     {"FileThatIsMissing", film_with("\"none.yml\""),
@@ -446,7 +446,7 @@ const std::vector<Mistake> mistakes{
                           "thickness_spread_nm = 3\n",
      "s.toml:7:9 [material.f]: the stack has 1200 layers, repeats counted; allowed 1000 with thickness_spread_nm"},
     {"GroupsTooDeep", stack_of(nested(17)),
-     "s.toml:3:435 [material.f]: groups are nested too deeply; allowed are 16 levels"},
+     "s.toml:3:435 [material.f]: groups are nested too deeply; at most 16 levels are allowed"},
     {"NoLayers", std::string(stack) + "layers = []\n",
      "s.toml:3:10 [material.f]: layers is empty; give one layer or more"},
     {"GroupOfNothing", stack_of("{ repeat = 2, layers = [] }"),
@@ -500,8 +500,8 @@ const std::vector<Mistake> mistakes{
     {"FilmWithoutThickness", std::string(film) + "index = 1.5\n",
      "s.toml:1:1 [material.f]: thickness_nm is missing; it is required"},
     {"SlabOfTenCentimetres", film_with("1.5", "1e8"),
-     "s.toml:1:1 [material.f]: the layers are so thick that 472000 fringes lie in the light's range; allowed 32768; in "
-     "a stack a thick layer may be marked incoherent = true"},
+     "s.toml:1:1 [material.f]: the layers are so thick that 472000 fringes lie in range_nm; at most 32768 are allowed; "
+     "in a stack, mark thick layers with incoherent = true"},
     {"TwoNodes", std::string(good_film) + "[accuracy]\nnodes = [16, 32]\n",
      "s.toml:6:9 [accuracy]: nodes has 2 numbers; give one, or 4: for angles up to 72.5, 87.1, 89.8 and 90 "
      "degrees"},
@@ -523,7 +523,7 @@ const std::vector<Mistake> mistakes{
      "s.toml:6:16 [accuracy]: realisations is also given as thickness_samples in [accuracy.sampling]; leave out one of "
      "them"},
     {"LongCauchy", film_with("{ cauchy = [1.5, 1, 1, 1, 1, 1, 1] }"),
-     "s.toml:3:20 [material.f]: cauchy has 7 terms; allowed are 6 at most"},
+     "s.toml:3:20 [material.f]: cauchy has 7 terms; give at most 6"},
     {"OddSellmeier", film_with("{ sellmeier = [1.5, 1, 3] }"),
      "s.toml:3:23 [material.f]: sellmeier has 3 numbers; give pairs B1, C1, B2, C2 ..., 8 at most (C in square "
      "micrometres)"},
@@ -532,10 +532,10 @@ const std::vector<Mistake> mistakes{
     {"FormulaWithoutCoefficients", film_with("{ formula = 2 }"),
      "s.toml:3:9 [material.f]: coefficients is missing; a formula needs them"},
     {"PoleInTheVisible", film_with("{ sellmeier = [0.01, 0.25] }"),
-     "s.toml:3:9 [material.f]: the formula has a resonance at 500 nm, where it gives no index; allowed are resonances "
-     "outside the light's range"},
+     "s.toml:3:9 [material.f]: the formula has a resonance at 500 nm, where it gives no index; give a formula whose "
+     "resonances lie outside range_nm"},
     {"NegativeStrength", film_with("{ sellmeier = [-3, 0.01] }"),
-     "s.toml:3:9 [material.f]: the formula gives no real n at 360 nm; allowed is n from 1e-06 to 1000"},
+     "s.toml:3:9 [material.f]: the formula gives no real n at 360 nm; n must be from 1e-06 to 1000"},
     {"TableOfTwoLengths", film_with("{ wavelength_nm = [360, 500, 830], n = [1.5, 1.5] }"),
      "s.toml:3:48 [material.f]: wavelength_nm has 3 numbers and n 2; give as many of each, two or more"},
     {"TableThatDoesNotAscend", film_with("{ wavelength_nm = [360, 360, 830], n = [1.5, 1.5, 2] }"),

@@ -40,8 +40,8 @@ RgbBase read_rgb(const Table& table) {
     // None of 20 000 random colours is off by more than 4e-5; if one is, it is said rather than shown.
     if (!(found.ciede2000 <= most_ciede2000)) {
         table.fail(where, "no smooth reflectance has this colour; the nearest misses by CIEDE2000 " +
-                              significant_text(found.ciede2000, 2) + "; allowed is " + number_text(most_ciede2000) +
-                              ", which less saturated colours reach");
+                              significant_text(found.ciede2000, 2) + ", more than " + number_text(most_ciede2000) +
+                              "; give a less saturated colour");
     }
     return found.base;
 }
@@ -57,9 +57,9 @@ SpectrumBase read_spectrum_file(const Table& table, const Value& value, const Sc
     }
     for (std::size_t i = 0; i < curve.value.size(); ++i) {
         if (curve.value[i] >= 0.0 && curve.value[i] <= 1.0) continue;
-        const std::string what = curve.value[i] > 1.0 ? " is a base brighter than 1, " : " is a base below 0, ";
+        const std::string what = curve.value[i] > 1.0 ? " has a reflectance above 1, " : " has a reflectance below 0, ";
         table.fail(value.where, in_quotes(file) + what + number_text(curve.value[i]) + " at " +
-                                    number_text(curve.wavelength_nm[i]) + " nm; a reflectance is 0 to 1");
+                                    number_text(curve.wavelength_nm[i]) + " nm; allowed [0, 1]");
     }
     return {std::move(curve)};
 }

@@ -39,8 +39,8 @@ ReadMechanism read_crystal(const Table& table, const SceneContext& context) {
         const double least_nm = least_spacing * crystal.diameter_nm;
         if (crystal.spacing_nm < least_nm && table.is_good()) {
             table.note(spacing->where, "spacing_nm = " + spacing->text() + " is too small for spheres of " +
-                                           number_text(crystal.diameter_nm) + " nm; allowed is " +
-                                           number_text(least_spacing) + " of diameter_nm or more, " +
+                                           number_text(crystal.diameter_nm) + " nm; give at least " +
+                                           number_text(least_spacing) + " of diameter_nm, " +
                                            significant_text(least_nm, 10) + " nm");
         }
     }

@@ -62,7 +62,7 @@ void refuse_others_keys(const Table& table, const Mechanism& mechanism) {
             entry.read = true;
             table.note(entry.key_where, entry.key + " has no meaning for mechanism " +
                                             std::string(mechanism_name(mechanism)) + ", " + std::string(refusal) +
-                                            "; known for " + mechanisms_that_know(key));
+                                            "; allowed for " + mechanisms_that_know(key));
         }
     }
 }
@@ -74,7 +74,7 @@ void check_substrate(const Table& table, const Mechanism& mechanism, const Index
     const double k = largest_k(substrate_of(mechanism), index.first_nm, index.last_nm);
     if (k <= transparent_k) return;
     table.note_at("base", "base lies below a substrate that absorbs, k = " + significant_text(k, 4) +
-                              ", so nothing comes back from it; allowed is a substrate with k up to " +
+                              ", so nothing comes back from it; give a substrate with k up to " +
                               number_text(transparent_k));
 }
 

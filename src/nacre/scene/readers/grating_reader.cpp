@@ -51,16 +51,16 @@ std::vector<double> read_efficiency(const Table& table, const Value& value) {
     for (const double share : efficiency) both_signs += 2.0 * share;
     constexpr double rounding = 1e-12;  // of the sum: 0.1 + 0.2 + 0.2 is one half
     if (both_signs > 1.0 + rounding) {
-        table.fail(value.where, "the orders and their mirror images get more than all the light, " +
-                                    significant_text(both_signs, 6) +
-                                    " of it; allowed is a sum of efficiency up to 0.5");
+        table.fail(value.where,
+                   "the orders of both signs get " + significant_text(both_signs, 6) +
+                       " of the light, which is more than all of it; give efficiencies whose sum is at most 0.5");
     }
     return efficiency;
 }
 
 void refuse_land(const Table& table) {
     if (const Value* land = table.find("land"))
-        table.note(land->where, "land has no meaning for a sinusoidal profile; known for lamellar");
+        table.note(land->where, "land has no meaning for a sinusoidal profile; allowed for lamellar");
 }
 
 void read_profile(const Table& table, Grating& grating) {
@@ -204,8 +204,8 @@ std::string grating_warning(const Mechanism& mechanism, const LightSettings& lig
                "the grooves; reduce azimuth_deg";
     }
     if (grating.azimuth_deg > 0.0 && grating.groove_length_um == 0.0) {
-        return "the grating is black: endless grooves send no light aside, where azimuth_deg > 0; give "
-               "groove_length_um";
+        return "the grating is black: endlessly long grooves send no light out of the plane across them (azimuth_deg > "
+               "0); give groove_length_um";
     }
     return "";
 }
@@ -221,7 +221,7 @@ const MechanismReader grating_reader{
     .warning = grating_warning,
     .check_axis = nullptr,
     .refusals = {.base = "which transmits nothing",
-                 .tilt_deg = "whose colour does not depend on an angle to facets",
+                 .tilt_deg = "whose colour does not depend on the angle to the normal",
                  .polarisation = "whose theory is scalar",
                  .thickness_spread_nm = "which has no layers",
                  .orders = not_refused},

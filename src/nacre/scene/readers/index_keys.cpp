@@ -19,8 +19,8 @@ Index read_clear_medium(const Table& table, std::string_view key, const IndexRea
     // A number is meant as it is; a table of a clear material may have a tiny k.
     const double limit = medium.is_constant() ? 0.0 : transparent_k;
     if (largest_k(medium, reader.first_nm, reader.last_nm) > limit) {
-        table.note_at(
-            key, std::string(key) + " absorbs, so " + std::string(consequence) + "; allowed is a medium with k = 0");
+        table.note_at(key,
+                      std::string(key) + " absorbs, so " + std::string(consequence) + "; give a medium with k = 0");
     }
     if (medium.is_constant() || medium.curve->is_lossless()) return medium;
     IndexCurve lossless = *medium.curve;

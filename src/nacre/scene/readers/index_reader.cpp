@@ -91,8 +91,8 @@ IndexFormula read_formula(const Table& table) {
             formula.coefficients.push_back(-2.0 * static_cast<double>(i));
         }
         if (formula.coefficients.size() <= most_coefficients(5)) return formula;
-        table.fail(cauchy->where, "cauchy has " + std::to_string(terms.size()) + " terms; allowed are " +
-                                      std::to_string(most_coefficients(5) / 2 + 1) + " at most");
+        table.fail(cauchy->where, "cauchy has " + std::to_string(terms.size()) + " terms; give at most " +
+                                      std::to_string(most_coefficients(5) / 2 + 1));
     }
     if (const Value* sellmeier = table.find("sellmeier")) {
         IndexFormula formula{2, {0.0}};
@@ -153,8 +153,9 @@ std::vector<double> resonances_nm(const IndexCurve& curve) {
 void check_formula(const Table& table, const IndexCurve& curve, double first_nm, double last_nm) {
     for (const double nm : resonances_nm(curve)) {
         if (nm < first_nm || nm > last_nm) continue;
-        table.fail(table.where(), "the formula has a resonance at " + number_text(nm) +
-                                      " nm, where it gives no index; allowed are resonances outside the light's range");
+        table.fail(table.where(),
+                   "the formula has a resonance at " + number_text(nm) +
+                       " nm, where it gives no index; give a formula whose resonances lie outside range_nm");
     }
     constexpr int places = 2000;
     for (int i = 0; i <= places; ++i) {
@@ -163,7 +164,7 @@ void check_formula(const Table& table, const IndexCurve& curve, double first_nm,
         const double n = curve.at(nm).real();
         if (n >= allowed_n.low && n <= allowed_n.high) continue;
         const std::string what = std::isfinite(n) ? "n = " + number_text(n) : "no real n";
-        table.fail(table.where(), "the formula gives " + what + " at " + number_text(nm) + " nm; allowed is n from " +
+        table.fail(table.where(), "the formula gives " + what + " at " + number_text(nm) + " nm; n must be from " +
                                       number_text(allowed_n.low) + " to " + number_text(allowed_n.high));
     }
 }

@@ -92,7 +92,7 @@ std::vector<Layer> read_list(const Table& table, const Value& value, Depth depth
     if (list.empty()) table.fail(value.where, "layers is empty; give one layer or more");
     if (depth > deepest_group) {
         table.fail(value.where,
-                   "groups are nested too deeply; allowed are " + std::to_string(deepest_group) + " levels");
+                   "groups are nested too deeply; at most " + std::to_string(deepest_group) + " levels are allowed");
     }
     std::vector<Layer> layers;
     for (const Value& element : list) {

@@ -33,7 +33,7 @@ void read_range(const Table& table, LightSettings& settings) {
     settings.last_nm = table.checked_integer("range_nm", ends[1], allowed_nm);
     if (table.is_good() && settings.first_nm >= settings.last_nm) {
         table.fail(range->where, "range_nm = [" + std::to_string(settings.first_nm) + ", " +
-                                     std::to_string(settings.last_nm) + "] is empty; the first must be smaller");
+                                     std::to_string(settings.last_nm) + "] is empty; give the smaller number first");
     }
 }
 
@@ -110,7 +110,7 @@ void check_power(const Table& table, const LightSettings& settings) {
     for (int i = settings.first_nm; i <= settings.last_nm; ++i) {
         luminance += settings.power.at(i) * colour_matching(settings.observer, i)[1];
     }
-    if (!(luminance > 0.0)) fail("has no visible light in range_nm; give it some");
+    if (!(luminance > 0.0)) fail("has no visible light in range_nm; give it power there, or widen range_nm");
 }
 
 }  // namespace

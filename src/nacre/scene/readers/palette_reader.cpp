@@ -29,7 +29,7 @@ void check_picks_differ(const Palette& palette, const Table& table, const Where&
             if (distance_deg >= smallest_pick_distance_deg || picks[i] == picks[j]) continue;
             table.fail(where, "picks[" + std::to_string(i) + "] and picks[" + std::to_string(j) +
                                   "] are different colours at one angle, " + number_text(picks[i].angle_deg) +
-                                  " degrees; allowed are angles at least " + number_text(smallest_pick_distance_deg) +
+                                  " degrees; give angles at least " + number_text(smallest_pick_distance_deg) +
                                   " degrees apart");
         }
     }
@@ -47,6 +47,13 @@ PalettePick read_pick(const Table& table, const PickReaders& readers) {
     pick.pick.angle_deg = table.number("angle_deg", allowed_pick_angle);
     pick.picked = read_picked_colour(table, readers.colour);
     if (!pick.picked) pick.pick.lobe = read_lobe(table);
+    for (const Table::Entry& entry : table.entries()) {
+        if (entry.key != "weight") continue;
+        entry.read = true;
+        table.note(entry.key_where,
+                   "weight has no meaning for mechanism palette, whose picks are fitted one by one; "
+                   "remove it");
+    }
     table.expect_all_read();
     if (pick.picked && table.is_good()) {
         pick.picked->angle_deg = pick.pick.angle_deg;

@@ -74,7 +74,7 @@ void check_radius(const Table& table, const Scatter& scatter, const IndexReader&
         return;
     }
     table.note_at("radius_nm", radius + " makes spheres of size parameters above " +
-                                   limit_text(largest_size_parameter(scatter.model)) + "; allowed is a radius up to " +
+                                   limit_text(largest_size_parameter(scatter.model)) + "; give a radius up to " +
                                    limit + (scatter.radius_spread > 0.0 ? " with this radius_spread" : ""));
 }
 
@@ -88,24 +88,24 @@ void read_hard_radius(const Table& table, Scatter& scatter) {
     if (value == nullptr) return;
     if (scatter.model != ScatterModel::quasi_ordered) {
         table.note(value->where, "hard_radius_nm has no meaning for model " +
-                                     std::string(name_of(model_words, scatter.model)) + "; known for quasi_ordered");
+                                     std::string(name_of(model_words, scatter.model)) + "; allowed for quasi_ordered");
         return;
     }
     scatter.hard_radius_nm = table.checked_number("hard_radius_nm", *value, allowed_radius);
     if (!table.is_good()) return;
     if (scatter.hard_radius_nm < scatter.radius_nm) {
         table.note(value->where, "hard_radius_nm = " + value->text() +
-                                     " is inside the particle; allowed is radius_nm, " +
-                                     number_text(scatter.radius_nm) + " nm, or more");
+                                     " is inside the particle; give at least radius_nm, " +
+                                     number_text(scatter.radius_nm) + " nm");
         return;
     }
     if (hard_fraction(scatter) > allowed_fraction.high) {
         const double largest_nm = scatter.radius_nm * std::cbrt(allowed_fraction.high / scatter.volume_fraction);
-        table.note(value->where, "hard spheres of " + value->text() + " nm fill " +
-                                     significant_text(hard_fraction(scatter), 4) +
-                                     " of the volume, volume_fraction * (hard_radius_nm / radius_nm)^3; allowed is " +
-                                     number_text(allowed_fraction.high) + ", a hard_radius_nm up to " +
-                                     number_text(std::floor(100.0 * largest_nm) / 100.0) + " nm");
+        table.note(value->where,
+                   "hard spheres of " + value->text() + " nm fill " + significant_text(hard_fraction(scatter), 4) +
+                       " of the volume, volume_fraction * (hard_radius_nm / radius_nm)^3; at most " +
+                       number_text(allowed_fraction.high) + " is allowed, which is a hard_radius_nm up to " +
+                       number_text(std::floor(100.0 * largest_nm) / 100.0) + " nm");
     }
 }
 

@@ -62,7 +62,7 @@ const std::vector<Mistake> mistakes{
 };
 
 INSTANTIATE_TEST_SUITE_P(Mistakes, BadSceneOfTheProgram, testing::ValuesIn(mistakes),
-                         [](const auto& info) { return std::string(info.param.name); });
+                         [](const auto& mistake) { return std::string(mistake.param.name); });
 
 std::string error_of(const std::vector<std::string>& arguments, const TemporaryFolder& folder, int code,
                      std::vector<std::pair<std::string, std::string>> environment = {}) {

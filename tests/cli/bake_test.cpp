@@ -256,7 +256,8 @@ TEST(Bake, VerifyRefusesAForgedHeaderThatCompressesIntoACurve) {
     folder.file("out/morpho.exr", encode_lut(lut.image, lut.format, lut.header));
     const ProgramResult result = run_nacre({"verify", path});
     EXPECT_EQ(result.exit_code, 4) << result.out << result.err;
-    EXPECT_NE(result.out.find("gamut = \"compress\" needs a linear space, and srgb_rec709 is not linear"), std::string::npos)
+    EXPECT_NE(result.out.find("gamut = \"compress\" needs a linear space, and srgb_rec709 is not linear"),
+              std::string::npos)
         << result.out;
 }
 

@@ -113,7 +113,7 @@ PlannedLuts plan_luts(const SceneParts& parts, const PlanRequest& request) {
     return planned;
 }
 
-FoundLut find_lut(const SceneParts& parts, const std::string& name) {
+NamedLut lut_named(const SceneParts& parts, const std::string& name) {
     for (const LutEntry& entry : lut_entries(parts)) {
         if (!may_be(entry, name)) continue;
         std::vector<PlannedLut> luts = luts_of(entry, parts);

@@ -19,7 +19,7 @@ std::optional<Job> job_of_lut(const Table& table, const Value& value, const Scen
     if (table.find("material") != nullptr)
         table.note_at("material", "a swatch shows a material or a lut; remove one of them");
     const std::string& name = table.checked_text("lut", value);
-    const FoundLut found = find_lut(parts, name);
+    const NamedLut found = lut_named(parts, name);
     if (!found.exists)
         table.note(value.where, "unknown lut " + in_quotes(name) + "; known: " + known_like(name, lut_names));
     if (!found.lut) return {};

@@ -108,11 +108,11 @@ struct PlannedLuts {
 PlannedLuts plan_luts(const SceneParts& parts, const PlanRequest& request);
 
 /// One LUT by its name, whether it is wanted or not.
-struct FoundLut {
+struct NamedLut {
     bool exists = false;
     std::optional<PlannedLut> lut;  ///< nothing if it or its material has mistakes
 };
-FoundLut find_lut(const SceneParts& parts, const std::string& name);
+NamedLut lut_named(const SceneParts& parts, const std::string& name);
 
 /// [swatch].
 struct PlannedSwatches {

@@ -11,6 +11,20 @@
 #include "nacre/optics/incidence.h"
 
 namespace nacre {
+namespace {
+
+double largest_angle_deg(Quantity quantity) {
+    switch (quantity) {
+        case Quantity::cos_scatter:
+            return 180.0;
+        case Quantity::incidence:
+        case Quantity::grating_u:
+            break;
+    }
+    return 90.0;
+}
+
+}  // namespace
 
 const Material& material_named(const Plan& plan, const std::string& name, const std::string& where) {
     std::vector<std::string> known;
@@ -34,7 +48,7 @@ Geometry geometry_at_angle(const Mechanism& mechanism, double angle_deg) {
 }
 
 void check_angle(double angle_deg, const Mechanism& mechanism, const std::string& where) {
-    const double most_deg = quantity_of(mechanism) == Quantity::cos_scatter ? 180.0 : 90.0;
+    const double most_deg = largest_angle_deg(quantity_of(mechanism));
     if (angle_deg >= 0.0 && angle_deg <= most_deg) return;
     throw Error(where + ": angle " + number_text(angle_deg) + " is out of range; allowed [0, " + number_text(most_deg) +
                 "] degrees");

@@ -19,21 +19,26 @@ constexpr Allowed allowed_size{2, largest_lut_size, "texels"};
 // Chosen: well below the 255 bytes of file systems, with room for suffixes.
 constexpr std::size_t longest_name = 100;
 
-// What a fixed quantity is called.
+Geometry from_degrees(double angle_deg) {
+    return Incidence::from_degrees(angle_deg);
+}
+
+// What a fixed quantity is called, and where light and eye are at a value of it.
 struct FixedKey {
     std::string_view key;
     Allowed allowed;
+    Geometry (*geometry)(double);
 };
 FixedKey fixed_key(Quantity quantity) {
     switch (quantity) {
         case Quantity::grating_u:
-            return {"grating_u", {0.0, 2.0}};
+            return {"grating_u", {0.0, 2.0}, Geometry::from_grating_u};
         case Quantity::cos_scatter:
-            return {"cos_scatter", {-1.0, 1.0}};
+            return {"cos_scatter", {-1.0, 1.0}, Geometry::from_cos_scatter};
         case Quantity::incidence:
             break;
     }
-    return {"angle_deg", {0.0, 90.0, "degrees"}};
+    return {"angle_deg", {0.0, 90.0, "degrees"}, from_degrees};
 }
 
 int checked_size(const Table& table, std::string_view key, const Value& value) {
@@ -58,7 +63,7 @@ void check_axes_differ(const Job& job, const Table& table, const Where& where) {
 
 void read_fixed_angle(const Table& table, Job& job) {
     const Quantity quantity = quantity_of(job.material.mechanism);
-    const auto [key, allowed] = fixed_key(quantity);
+    const auto [key, allowed, geometry] = fixed_key(quantity);
     const Value* value = table.find(key);
     if (value == nullptr) return;
     if (job.has_angle()) {
@@ -66,10 +71,7 @@ void read_fixed_angle(const Table& table, Job& job) {
                                      (quantity == Quantity::incidence ? "the angle" : std::string(key)) +
                                      "; remove one of them");
     }
-    const double fixed = table.checked_number(key, *value, allowed);
-    job.fixed = quantity == Quantity::incidence   ? Geometry(Incidence::from_degrees(fixed))
-                : quantity == Quantity::grating_u ? Geometry::from_grating_u(fixed)
-                                                  : Geometry::from_cos_scatter(fixed);
+    job.fixed = geometry(table.checked_number(key, *value, allowed));
 }
 
 void read_axes(const Table& table, Job& job) {

@@ -81,6 +81,18 @@ int label_rank(const Axis& axis, double value) {
     return ranks[static_cast<std::size_t>(std::lround(value / 10.0))];
 }
 
+std::string geometric_title(const AxisKind& kind) {
+    switch (kind.quantity) {
+        case Quantity::grating_u:
+            return "u = |sin in + sin out|";
+        case Quantity::cos_scatter:
+            return "cos(scatter)";
+        case Quantity::incidence:
+            break;
+    }
+    return "angle (" + std::string(kind.name) + ")";
+}
+
 }  // namespace
 
 Point PlotArea::at(double x, double y) const {
@@ -99,8 +111,7 @@ double axis_coordinate(const Axis& axis, double value) {
 }
 
 std::string axis_title(const Axis& axis) {
-    if (is_in_degrees(axis)) return "angle (" + std::string(axis.kind->name) + ")";
-    if (axis.is_angle()) return axis.kind->quantity == Quantity::grating_u ? "u = |sin in + sin out|" : "cos(scatter)";
+    if (axis.is_angle()) return geometric_title(*axis.kind);
     const std::string_view unit = axis.parameter.allowed.unit;
     if (unit.empty() || unit == "degrees") return axis.parameter.description;
     return axis.parameter.description + " (" + std::string(unit) + ")";

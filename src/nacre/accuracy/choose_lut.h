@@ -24,9 +24,8 @@ struct ChosenLut {
     Work work;             ///< what deciding took
 };
 
-/// Picks the cheapest LUT that errs by no more than the request allows: the fewest bytes; of equals the one in half,
-/// which every engine reads. Sizes are powers of two up to largest_lut_size; in 2D up to `most_texels_of_choice` in
-/// all.
+/// Chooses the cheapest LUT that errs by no more than the request allows: the fewest bytes; of equals the one in half,
+/// which every engine reads. Sizes are powers of two up to largest_lut_size; in 2D, up to Effort::most_texels() in all.
 ///
 /// Every candidate is baked and held against the model between its texels until one fits; those too small fail at once,
 /// because the place where the last one failed is tried first. If none fits, the result is the best there is (in 2D, of
@@ -37,7 +36,5 @@ struct ChosenLut {
 /// @throws Error if the encoding has no inverse to XYZ and the request is binding
 /// @param after_step  called every few hundred points; what it throws ends the search
 ChosenLut choose_lut(const PlannedLut& lut, const Encoding& encoding, const AfterRow& after_step = {});
-
-inline constexpr int most_texels_of_choice = 1 << 22;
 
 }  // namespace nacre

@@ -58,7 +58,10 @@ struct Material {
 
 /// A number of a mechanism that a LUT may have as its axis.
 struct Parameter {
-    std::string name;         ///< "shape", "picks[0].width_nm"; without an index: of all picks at once
+    /// "shape", "picks[0].width_nm"; without an index, "width_nm", it sets that of all picks at once. Of two parameters
+    /// that set the same number, the names are equal, or one is "...]." and the other: this is how a LUT whose axes do
+    /// so is refused (plan_lut.cpp).
+    std::string name;
     std::string description;  ///< for axis labels: "width of pick 0"
     Allowed allowed;
     std::function<void(Mechanism&, double)> set;

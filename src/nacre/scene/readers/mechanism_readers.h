@@ -60,7 +60,8 @@ extern const MechanismReader measured_reader;
 const MechanismReader& reader_of(const Mechanism& mechanism);
 const MechanismReader& reader_at(std::size_t index);
 
-// The keys that refine every mechanism: base, tilt_deg, polarisation, each refused where it has no meaning.
+// effects_reader.cpp reads base, tilt_deg and polarisation. It refuses them, thickness_spread_nm and orders where they
+// have no meaning; where these two have one, the mechanism's own reader reads them.
 
 Effects read_effects(const Table& table, const Mechanism& mechanism, const SceneContext& context);
 std::vector<Parameter> effect_parameters(const Mechanism& mechanism);

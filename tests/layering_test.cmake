@@ -13,6 +13,7 @@ set(root_entries
 
 # The rooms by floors, the lowest first. A file may include from its own room and from the floors below; rooms of one
 # floor do not know each other. A room is a folder with all that lies in it: the longest that fits a path.
+# nacre/export, nacre/conformance and web are planned and do not exist yet.
 set(floors
     "nacre/base"
     "nacre/colour nacre/optics"

@@ -10,6 +10,8 @@
 #include <algorithm>
 #include <filesystem>
 #include <ostream>
+#include <regex>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -161,6 +163,37 @@ TEST(MechanismPages, NameEveryMechanismThatPicksCanLeadTo) {
         EXPECT_TRUE(has_line(page, "| " + name + " |", "")) << "configs/picking.md: " << name;
         EXPECT_TRUE(has_line(help, "  " + name + " ", "")) << "nacre pick --help: " << name;
     }
+}
+
+// ---- The page about the code
+
+// `scene/plan.h` is in src/nacre; `plan.h` alone may be in any folder of src and tests. NAME stands for a name that the
+// reader chooses.
+TEST(PageAboutTheCode, NamesFilesThatExist) {
+    std::set<std::string> names;
+    for (const char* folder : {"src", "tests"}) {
+        for (const auto& entry : std::filesystem::recursive_directory_iterator(root / folder))
+            names.insert(entry.path().filename().string());
+    }
+    const auto exists = [&](const std::string& file) {
+        for (const auto& folder : {root, root / "src", root / "src/nacre"}) {
+            if (std::filesystem::exists(folder / file)) return true;
+        }
+        return names.contains(file);
+    };
+    const std::regex path("`([\\w./-]*\\w\\.(h|cpp|cmake|txt|json|md|sh|awk|yml|toml|glsl|hlsl))`");
+    const MarkdownPage page = read_markdown(root / "src/README.md");
+    int named = 0;
+    for (std::size_t i = 0; i < page.lines.size(); ++i) {
+        const std::string& line = page.lines[i];
+        for (auto it = std::sregex_iterator(line.begin(), line.end(), path); it != std::sregex_iterator(); ++it) {
+            const std::string file = (*it)[1];
+            if (file.find("NAME") != std::string::npos) continue;
+            EXPECT_TRUE(exists(file)) << place(page, static_cast<int>(i) + 1) << ": " << file;
+            ++named;
+        }
+    }
+    EXPECT_GT(named, 0);
 }
 
 // ---- The first page

@@ -152,7 +152,7 @@ TEST(MechanismPages, NameEveryMechanism) {
 
 TEST(MechanismPages, NameEveryMechanismThatPicksCanLeadTo) {
     const std::string refusal = run_nacre({"pick", "#123@0", "--mechanism", "scatter"}).err;
-    const std::string before = "known for palette, ";
+    const std::string before = "allowed for palette, ";
     const std::size_t found = refusal.find(before);
     ASSERT_NE(found, std::string::npos) << refusal;
     const Lines page = read_markdown(root / "configs/picking.md").lines;

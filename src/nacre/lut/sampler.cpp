@@ -51,6 +51,7 @@ void Sampler::set_parameters(double x, double y) {
         if (y_moves) job_.y->parameter.set(mechanism_, job_.y->parameter_value(y));  // axes set different numbers
         if (job_.without.has(Effect::tilt)) mechanism_.effects.tilt_deg = 0.0;
         palette->reset(std::get<Palette>(mechanism_));
+        if (facets_.is_made()) facets_ = {};  // of the bands before
         return;
     }
     Mechanism next = simulated_at(job_, x, y);

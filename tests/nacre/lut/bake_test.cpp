@@ -73,6 +73,18 @@ TEST(Bake, ParameterOfOnePickMovesThatPickAlone) {
         EXPECT_EQ(fixed.at(x, 0), fixed.at(0, 0)) << "the second pick does not show at the first's angle";
 }
 
+TEST(Bake, ARowThatEndsWithoutTiltLeavesNoFacetsToTheNext) {
+    Job job = job_of(parameter_axis(morpho, "width_nm", 50.0, 300.0), 5, 3);
+    job.x = parameter_axis(morpho, "tilt_deg", 20.0, 0.0);
+    job.fixed = Incidence::from_degrees(30.0);
+    Job mirrored = job;
+    mirrored.x = parameter_axis(morpho, "tilt_deg", 0.0, 20.0);
+    const Image<Xyz> image = bake(job), other = bake(mirrored);
+    for (int y = 0; y < 3; ++y) {
+        for (int x = 0; x < 5; ++x) EXPECT_NEAR(image.at(x, y).z, other.at(4 - x, y).z, 1e-12) << x << ", " << y;
+    }
+}
+
 TEST(Bake, EveryParameterThatIsOfferedSetsSomething) {
     for (const Parameter& parameter : parameters_of(morpho)) {
         Mechanism changed = morpho;

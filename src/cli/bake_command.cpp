@@ -15,9 +15,9 @@
 #include "io/image/font.h"
 #include "nacre/base/error.h"
 #include "nacre/base/names.h"
-#include "nacre/lut/gamut.h"
 #include "nacre/lut/job.h"
 #include "nacre/lut/planned_lut.h"
+#include "nacre/scene/mistakes.h"
 #include "nacre/scene/output_names.h"
 #include "pipeline/bake_task.h"
 #include "pipeline/decide.h"
@@ -90,7 +90,7 @@ struct Tally {
     Json luts = Json::array();
     Json swatches = Json::array();
     Json failures = Json::array();
-    std::size_t outside_gamut = 0;
+    std::vector<std::string> outside_gamut;
     bool misses_bound = false;
 
     void add(const BakeTask& task, const BakeOutcome& outcome, Console& console) {
@@ -102,16 +102,24 @@ struct Tally {
         }
         console.summary(bake_line(task, outcome));
         if (!outcome.warning.empty()) console.warning(outcome.warning);
-        outside_gamut += outcome.baked.gamut.outside > 0 && task.scene->plan.colour.gamut == Gamut::keep ? 1 : 0;
+        const std::string outside = task.lut != nullptr ? gamut_warning(task, outcome.baked) : std::string();
+        if (!outside.empty()) outside_gamut.push_back(outside);
         if (console.json()) (task.lut != nullptr ? luts : swatches).push_back(bake_json(task, outcome));
     }
 
+    std::string gamut_message() const {
+        std::string message;
+        for (std::size_t i = 0; i < std::min(outside_gamut.size(), most_shown_mistakes); ++i)
+            message += outside_gamut[i] + "\n";
+        if (outside_gamut.size() > most_shown_mistakes)
+            message += "... and " + std::to_string(outside_gamut.size() - most_shown_mistakes) + " more\n";
+        return message +
+               "gamut = \"compress\" or \"clip\" in [colour] or [lut.NAME] removes negative components; a wider space "
+               "keeps the colours";
+    }
+
     int report(Console& console) const {
-        if (outside_gamut > 0) {
-            console.warning(std::to_string(outside_gamut) + (outside_gamut == 1 ? " LUT has" : " LUTs have") +
-                            " negative components: the colour lies outside the gamut of the colour space; [colour] "
-                            "gamut = \"clip\" or \"compress\" removes them, and a wider space keeps the colour");
-        }
+        if (!outside_gamut.empty()) console.warning(gamut_message());
         if (console.json()) console.result_json(Json{{"luts", luts}, {"swatches", swatches}, {"failures", failures}});
         if (misses_bound) return exit_not_verified;
         return failures.size() == 0 ? exit_done : exit_some_failed;

@@ -23,11 +23,15 @@ std::string accuracy_text(const PlannedLut& lut, const BakedLut& baked) {
            (lut.request.has_bound ? " of " + number_text(lut.request.max_de00) : "");
 }
 
+// "25 % of texels".
+std::string share_text(std::size_t count, const Job& job) {
+    const double texels = static_cast<double>(job.width) * job.height;
+    return significant_text(100.0 * static_cast<double>(count) / texels, 2) + " % of texels";
+}
+
 // "25 % of texels are negative (minimum -0.060)", and what was done about it.
 std::string gamut_text(const Job& job, const GamutReport& gamut, Gamut rule) {
-    const double texels = static_cast<double>(job.width) * job.height;
-    const std::string share = significant_text(100.0 * static_cast<double>(gamut.outside) / texels, 2);
-    return share + " % of texels " + (rule == Gamut::keep ? "are" : "were") + " negative (minimum -" +
+    return share_text(gamut.outside, job) + " " + (rule == Gamut::keep ? "are" : "were") + " negative (minimum -" +
            short_number(-gamut.most_negative) + ")" +
            (rule == Gamut::clip       ? ", clipped"
             : rule == Gamut::compress ? ", compressed"
@@ -37,9 +41,9 @@ std::string gamut_text(const Job& job, const GamutReport& gamut, Gamut rule) {
 std::string lut_line(const BakeTask& task, const BakedLut& baked) {
     const PlannedLut& lut = task.decided->lut.lut;
     std::string line = output_files(lut).front() + "  " + size_text(lut.job) + " " +
-                       std::string(name_of(format_words, lut.format)) + "  " + task.scene->space->name() + "  " +
+                       std::string(name_of(format_words, lut.format)) + "  " + task.decided->space().name() + "  " +
                        accuracy_text(lut, baked);
-    if (baked.gamut.outside > 0) line += "  " + gamut_text(lut.job, baked.gamut, task.scene->plan.colour.gamut);
+    if (baked.gamut.outside > 0) line += "  " + gamut_text(lut.job, baked.gamut, lut.colour.gamut);
     for (const EffectChoice& choice : task.decided->lut.effects) {
         if (!choice.is_simulated && choice.is_measured)
             line +=
@@ -61,6 +65,19 @@ std::string bake_line(const BakeTask& task, const BakeOutcome& outcome) {
                task.scene->displays[task.swatch_index]->name();
     }
     return line + (outcome.unchanged ? "  (unchanged)" : "");
+}
+
+std::string gamut_warning(const BakeTask& task, const BakedLut& baked) {
+    const PlannedLut& lut = task.decided->lut.lut;
+    if (lut.colour.gamut != Gamut::keep || baked.gamut.outside == 0) return {};
+    if (baked.clipping && baked.clipping->texels == 0) return {};
+    const std::string& material = lut.job.material.name;
+    std::string text = lut.name + (material == lut.name ? "" : " (material " + material + ")") + ": " +
+                       share_text(baked.clipping ? baked.clipping->texels : baked.gamut.outside, lut.job) +
+                       " have negative components, because the colour lies outside " + task.decided->space().name();
+    if (baked.clipping)
+        text += "; setting them to 0 would change it by up to dE00 " + short_number(baked.clipping->de00);
+    return text;
 }
 
 Json bake_json(const BakeTask& task, const BakeOutcome& outcome) {

@@ -43,12 +43,13 @@ int run_cost(const CostOptions& options, Console& console) {
     const std::vector<LoadedScene> scenes = open_scenes({options.scene}, request, console);
     const LoadedScene& scene = scenes.front();
     const PlannedLut& lut = lut_named(scene.plan, options.lut);
-    if (!scene.space->has_inverse()) {
-        throw Error(lut.where.text() + " " + lut.name + ": space " + scene.space->name() +
-                    " has no inverse to XYZ, so no error can be measured in it; name another [colour] space");
+    const ColourSpace& space = scene.space_of(lut.colour);
+    if (!space.has_inverse()) {
+        throw Error(lut.where.text() + " " + lut.name + ": space " + space.name() +
+                    " has no inverse to XYZ, so no error can be measured in it; name another space");
     }
     const double bound = options.accuracy > 0.0 ? options.accuracy : lut.request.max_de00;
-    const Encoding encoding = lut_encoding(*scene.space, scene.plan.colour.gamut);
+    const Encoding encoding = lut_encoding(space, lut.colour.gamut);
     const std::vector<CostRow> rows = measure_costs(lut, encoding, bound, execution_on(1, console));
     const std::string comment = "What accuracy costs: LUT " + lut.name +
                                 ", one thread; time to compute, convert and round all texels, median of repeated runs";

@@ -22,7 +22,8 @@ void write_picked_swatch(const PickOptions& options, const std::string& scene, C
     request.on_warning = {};  // they were told when the scene was made
     const LoadedScene loaded = load_scene_text(scene, "picks", request);
     const auto display = loaded.colours->display_view("", "", "--swatch");
-    const std::string bytes = swatch_bytes(loaded.plan.swatches.front(), *loaded.space, *display, find_font());
+    const PlannedSwatch& swatch = loaded.plan.swatches.front();
+    const std::string bytes = swatch_bytes(swatch, loaded.space_of(swatch.colour), *display, find_font());
     const std::filesystem::path file(options.swatch);
     OutputFolder folder(file.has_parent_path() ? file.parent_path().string() : ".");
     folder.write(file.filename().string(), bytes);

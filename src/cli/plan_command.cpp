@@ -49,7 +49,7 @@ void print(const std::vector<PlanRow>& rows, const std::vector<LoadedScene>& sce
     for (const std::string& line : plan_lines(rows)) console.summary(line);
     console.summary("");
     for (const PlanRow& row : rows) {
-        if (row.lut->scene->space->has_inverse()) {
+        if (row.lut->space().has_inverse()) {
             for (const std::string& line : error_lines(*row.lut)) console.summary(line);
         }
         for (const std::string& line : effect_lines(row.lut->lut.lut.name, row.effects)) console.summary(line);

@@ -77,7 +77,7 @@ void add_accuracy(Json& json, const DecidedLut& task) {
     const AccuracyRequest& request = chosen.lut.request;
     json["max_de00"] = request.has_bound ? Json(request.max_de00) : Json();
     json["predicted"] = Json();
-    if (task.scene->space->has_inverse()) {
+    if (task.space().has_inverse()) {
         json["predicted"] = {{"de00", chosen.predicted.total},      {"spectrum", chosen.predicted.spectrum},
                              {"spread", chosen.predicted.spread},   {"quadrature", chosen.predicted.quadrature},
                              {"effects", chosen.predicted.effects}, {"interpolation", chosen.predicted.interpolation},
@@ -97,8 +97,7 @@ std::vector<std::string> plan_lines(const std::vector<PlanRow>& rows) {
         const Job& job = chosen.lut.job;
         cells.push_back({chosen.lut.name, axis_text(job.x) + (job.y ? ", " + axis_text(*job.y) : ""), size_text(job),
                          std::string(name_of(format_words, chosen.lut.format)), integration_text(job),
-                         row.lut->scene->space->has_inverse() ? bound_text(chosen) : "unknown",
-                         duration_text(row.seconds)});
+                         row.lut->space().has_inverse() ? bound_text(chosen) : "unknown", duration_text(row.seconds)});
     }
     return table_lines(cells, {false, false, true, false, false, true, true});
 }

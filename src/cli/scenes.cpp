@@ -43,7 +43,7 @@ std::vector<LoadedScene> open_scenes(const std::vector<std::string>& paths, cons
     for (const LoadedScene& scene : scenes) {
         console.note(scene.path + ": LUTs: " + std::to_string(scene.plan.luts.size()) +
                      ", swatches: " + std::to_string(scene.plan.swatches.size()) + "; OpenColorIO config " +
-                     scene.source.config + ", space " + scene.space->name());
+                     scene.source.config + ", space " + scene.plan.colour.space);
     }
     check_names(request.only, scenes);
     return scenes;

@@ -33,7 +33,7 @@ std::string strip_bytes(const BakeTask& task, const BakeTarget& target) {
     PlannedSwatch strip;
     strip.title = task.decided->lut.lut.name;
     strip.jobs = {task.decided->lut.lut.job};
-    return swatch_bytes(strip, *task.scene->space, *task.scene->strip_display, target.font);
+    return swatch_bytes(strip, task.decided->space(), *task.scene->strip_display, target.font);
 }
 
 // The files of a LUT, in the order in which the scene asks for them.
@@ -83,7 +83,7 @@ BakeOutcome bake_one_lut(const BakeTask& task, const BakeTarget& target, const E
     const ChosenLut& decided = task.decided->lut;
     const double begin = thread_seconds();
     BakeOutcome outcome;
-    outcome.baked = bake_lut(decided, scene.plan, scene.source, *scene.space, execution.step);
+    outcome.baked = bake_lut(decided, scene.plan, scene.source, task.decided->space(), execution.step);
     outcome.manifest = manifest_json(decided, outcome.baked);
     const std::string manifest = outcome.manifest.text() + "\n";
     const std::string exr = writes(decided.lut, LutOutput::exr)
@@ -103,7 +103,8 @@ BakeOutcome bake_one_swatch(const BakeTask& task, const BakeTarget& target) {
     BakeOutcome outcome;
     outcome.unchanged = true;
     put(target, task.swatch->name + ".png",
-        swatch_bytes(*task.swatch, *task.scene->space, *task.scene->displays[task.swatch_index], target.font),
+        swatch_bytes(*task.swatch, task.scene->space_of(task.swatch->colour), *task.scene->displays[task.swatch_index],
+                     target.font),
         outcome.unchanged);
     return outcome;
 }

@@ -49,23 +49,25 @@ BakedLut bake_lut(const ChosenLut& chosen, const Plan& plan, const ColourSource&
     const Image<Xyz> xyz = bake(lut.job, after_row, &baked.work);
     baked.image = space.to_rgb(xyz);
     baked.gamut = gamut_report(baked.image);
-    gamut_rule(space, plan.colour.gamut).apply(baked.image, xyz);
+    gamut_rule(space, lut.colour.gamut).apply(baked.image, xyz);
     check_storable(baked.image, lut.format);
     for (Rgb& texel : baked.image) {
         for (double Rgb::*component : {&Rgb::r, &Rgb::g, &Rgb::b})
             texel.*component = stored_value(texel.*component, lut.format);
     }
     baked.left = gamut_report(baked.image);
-    const Encoding encoding = lut_encoding(space, plan.colour.gamut);
+    const Encoding encoding = lut_encoding(space, lut.colour.gamut);
     if (encoding.to_xyz) {
         const Measured measured = measure(lut.job, baked.image, encoding, chosen.worst);
         baked.reached = rounded_up(measured.reached + chosen.predicted.spread);
         baked.work += measured.work;
+        if (encoding.keeps_colours)
+            baked.clipping = clipping_loss(baked.image, encoding, measured.scale, lut.request.max_de00);
     }
     if (const SceneMaterial* material = find_material(plan, lut.job.material.name)) baked.picked = material->picked;
     if (const auto* palette = std::get_if<Palette>(&lut.job.material.mechanism))
         baked.clamped = palette_clamp_bounds(*palette);
-    baked.header = lut_header(chosen, plan.colour, source, space, baked);
+    baked.header = lut_header(chosen, source, space, baked);
     return baked;
 }
 

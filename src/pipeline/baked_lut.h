@@ -6,6 +6,7 @@
 
 #include "io/image/lut_file.h"
 #include "nacre/accuracy/choose_lut.h"
+#include "nacre/accuracy/measure.h"
 #include "nacre/lut/bake.h"
 #include "nacre/lut/colour_space.h"
 #include "nacre/lut/encoding.h"
@@ -26,6 +27,8 @@ struct BakedLut {
     Work work;          ///< baking and measuring, without choosing
     GamutReport gamut;  ///< before [colour] gamut was applied
     GamutReport left;   ///< after it, of the numbers as stored
+    /// Where negative components are kept: what clipping them would change. Nothing if it cannot be known.
+    std::optional<ClippingLoss> clipping;
     std::vector<PickedColour> picked;  ///< of the material's picks those that were given as colours
     ClampBounds clamped;               ///< beyond these angles the picks ask for what no surface can do
 };
@@ -41,7 +44,7 @@ struct ColourSource {
 Encoding lut_encoding(const ColourSpace& space, Gamut gamut);
 
 /// XYZ of every texel, through the colour space and the gamut's rule, measured, with its header.
-/// @param plan  of the scene that the LUT is from: its colour settings, and what picks became
+/// @param plan  of the scene that the LUT is from: what picks became
 /// Throws Error if the space or the format cannot hold the colours.
 BakedLut bake_lut(const ChosenLut& lut, const Plan& plan, const ColourSource& source, const ColourSpace& space,
                   const AfterRow& after_row = {});

@@ -13,8 +13,7 @@ namespace {
 void decide(DecidedLut& task, const Execution& execution) {
     const double begin = thread_seconds();
     try {
-        const LoadedScene& scene = *task.scene;
-        task.lut = choose_lut(*task.asked, lut_encoding(*scene.space, scene.plan.colour.gamut), execution.step);
+        task.lut = choose_lut(*task.asked, lut_encoding(task.space(), task.asked->colour.gamut), execution.step);
     } catch (const IoError&) {
         throw;
     } catch (const Error& error) {
@@ -26,7 +25,7 @@ void decide(DecidedLut& task, const Execution& execution) {
 }  // namespace
 
 bool DecidedLut::is_out_of_reach() const {
-    return failure.empty() && !lut.is_reached && lut.lut.request.has_bound && scene->space->has_inverse();
+    return failure.empty() && !lut.is_reached && lut.lut.request.has_bound && space().has_inverse();
 }
 
 void override_accuracy(std::vector<LoadedScene>& scenes, const AccuracyOverride& accuracy) {
@@ -38,8 +37,9 @@ void override_accuracy(std::vector<LoadedScene>& scenes, const AccuracyOverride&
                 lut.request.has_bound = true;
                 lut.request.is_binding = true;
             }
-            if (!lut.request.is_binding || scene.space->has_inverse()) continue;
-            throw Error(lut.where.text() + " " + lut.name + ": space " + scene.space->name() +
+            const ColourSpace& space = scene.space_of(lut.colour);
+            if (!lut.request.is_binding || space.has_inverse()) continue;
+            throw Error(lut.where.text() + " " + lut.name + ": space " + space.name() +
                         " has no inverse to XYZ, so no error can be measured in it; give [accuracy] size and no bound");
         }
     }

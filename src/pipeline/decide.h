@@ -19,6 +19,7 @@ struct DecidedLut {
     double seconds = 0.0;  ///< what deciding took, of one thread
     std::string failure;   ///< why nothing could be decided; empty if it could
 
+    const ColourSpace& space() const { return scene->space_of(asked->colour); }
     /// Whether a bound was given or is the default, errors can be known, and the bound is out of reach.
     bool is_out_of_reach() const;
 };

@@ -26,21 +26,39 @@ bool contains(const std::vector<std::string>& names, const std::string& name) {
     return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-std::shared_ptr<const ColourSpace> target_space(const ColourSpaces& colours, const ColourSettings& settings,
-                                                const std::string& where) {
-    std::string name = settings.space;
-    if (!settings.is_space_given) {
-        const std::vector<std::string> known = colours.names();
-        const auto other = std::find_if(std::begin(linear_rec709_names), std::end(linear_rec709_names),
-                                        [&](const char* candidate) { return contains(known, candidate); });
-        if (!contains(known, name) && other != std::end(linear_rec709_names)) name = *other;
-    }
-    auto space = colours.space(name, where);
-    if (settings.gamut == Gamut::compress && !space->linear_matrix()) {
+// What the config calls the space that nobody named.
+void find_default_name(LutColour& colour, const ColourSpaces& colours) {
+    if (colour.is_space_given) return;
+    const std::vector<std::string> known = colours.names();
+    const auto other = std::find_if(std::begin(linear_rec709_names), std::end(linear_rec709_names),
+                                    [&](const char* candidate) { return contains(known, candidate); });
+    if (!contains(known, colour.space) && other != std::end(linear_rec709_names)) colour.space = *other;
+}
+
+// Opens the space, and gives it the name that its config has for it.
+void open_space(LutColour& colour, LoadedScene& scene) {
+    const std::string& where = colour.where.empty() ? scene.path : colour.where;
+    std::shared_ptr<const ColourSpace>& space = scene.spaces[colour.space];
+    if (space == nullptr) space = scene.colours->space(colour.space, where);
+    if (colour.gamut == Gamut::compress && !space->linear_matrix()) {
         throw Error(where + ": gamut = \"compress\" needs a linear space, and " + space->name() +
                     " is not linear; use clip or keep");
     }
-    return space;
+    colour.space = space->name();
+    scene.spaces.emplace(space->name(), space);
+}
+
+void open_spaces(Plan& plan, LoadedScene& scene) {
+    // A LUT that names no space has the scene's.
+    find_default_name(plan.colour, *scene.colours);
+    const std::string scene_space = plan.colour.space;
+    open_space(plan.colour, scene);
+    const auto open = [&](LutColour& colour) {
+        if (!colour.is_space_given) colour.space = scene_space;
+        open_space(colour, scene);
+    };
+    for (PlannedLut& lut : plan.luts) open(lut.colour);
+    for (PlannedSwatch& swatch : plan.swatches) open(swatch.colour);
 }
 
 bool asks_for_png(const PlannedLut& lut) {
@@ -62,9 +80,7 @@ LoadedScene with_colours(Plan plan, const std::string& path, const SceneRequest&
     scene.path = path;
     scene.colours = request.open_colours(config_choice(plan.colour, path, request.config));
     scene.source = {scene.colours->description(), scene.colours->content_hash()};
-    const std::string where = plan.colour.space_where.line > 0 ? plan.colour.space_where.text() + " [colour]" : path;
-    scene.space = target_space(*scene.colours, plan.colour, where);
-    plan.colour.space = scene.space->name();
+    open_spaces(plan, scene);
     if (request.want_swatches) {
         for (const PlannedSwatch& swatch : plan.swatches) {
             scene.displays.push_back(scene.colours->display_view(

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -33,10 +34,13 @@ struct LoadedScene {
     std::string path;
     Plan plan;
     ColourSource source;
-    std::shared_ptr<const ColourSpaces> colours;               ///< the scene's config
-    std::shared_ptr<const ColourSpace> space;                  ///< of the LUTs
+    std::shared_ptr<const ColourSpaces> colours;                       ///< the scene's config
+    std::map<std::string, std::shared_ptr<const ColourSpace>> spaces;  ///< of the scene and of its LUTs, by name
     std::vector<std::shared_ptr<const ColourSpace>> displays;  ///< as many as the plan has swatches, if they are wanted
     std::shared_ptr<const ColourSpace> strip_display;          ///< the default one, if a LUT asks for a png; else null
+
+    /// @pre the colour is that of the plan, of one of its LUTs or of one of its swatches
+    const ColourSpace& space_of(const LutColour& colour) const { return *spaces.at(colour.space); }
 };
 
 /// Reads and plans a scene file, without its colour space.

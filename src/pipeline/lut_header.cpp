@@ -110,8 +110,8 @@ void add_colour(Attributes& header, Gamut gamut, const ColourSource& source, con
 
 }  // namespace
 
-LutHeader lut_header(const ChosenLut& chosen, const ColourSettings& colour, const ColourSource& source,
-                     const ColourSpace& space, const BakedLut& baked) {
+LutHeader lut_header(const ChosenLut& chosen, const ColourSource& source, const ColourSpace& space,
+                     const BakedLut& baked) {
     LutHeader header;
     header.software = "nacre " + std::string(nacre_version());
     header.interop_id = space.interop_id();
@@ -121,8 +121,8 @@ LutHeader lut_header(const ChosenLut& chosen, const ColourSettings& colour, cons
     add_job(attributes, chosen.lut);
     add_light(attributes, chosen.lut.job);
     add_accuracy(attributes, chosen, baked);
-    add_colour(attributes, colour.gamut, source, space, baked);
-    const std::string scene = scene_toml(chosen.lut, colour);
+    add_colour(attributes, chosen.lut.colour.gamut, source, space, baked);
+    const std::string scene = scene_toml(chosen.lut);
     attributes.emplace_back("scene", scene);
     attributes.emplace_back("sceneHash", hash_text(scene));
     return header;

@@ -2,7 +2,6 @@
 
 #include "io/image/lut_file.h"
 #include "nacre/accuracy/choose_lut.h"
-#include "nacre/lut/colour_settings.h"
 #include "nacre/lut/colour_space.h"
 #include "pipeline/baked_lut.h"
 
@@ -10,7 +9,7 @@ namespace nacre {
 
 /// What the file of a baked LUT says about itself. Everything that the LUT can be derived from again is in it.
 /// @param baked  measured; its header is not read
-LutHeader lut_header(const ChosenLut& chosen, const ColourSettings& colour, const ColourSource& source,
-                     const ColourSpace& space, const BakedLut& baked);
+LutHeader lut_header(const ChosenLut& chosen, const ColourSource& source, const ColourSpace& space,
+                     const BakedLut& baked);
 
 }  // namespace nacre

@@ -14,7 +14,7 @@ constexpr int most_texels = 32768;
 // Once only: a bake finds the caches cold too, and so the first LUT of a plan takes as long as the first of a bake.
 double seconds_of(const ChosenLut& lut, const LoadedScene& scene) {
     const double begin = thread_seconds();
-    const BakedLut baked = bake_lut(lut, scene.plan, scene.source, *scene.space);
+    const BakedLut baked = bake_lut(lut, scene.plan, scene.source, scene.space_of(lut.lut.colour));
     const std::string exr = encode_lut(baked.image, lut.lut.format, baked.header);
     const std::string manifest = manifest_text(lut, baked);
     return thread_seconds() - begin;

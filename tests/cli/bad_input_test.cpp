@@ -53,6 +53,8 @@ const std::vector<Mistake> mistakes{
     {"OutOfRange", scene("[accuracy]\nmax_de00 = 0\n"),
      ":5:12 [accuracy]: max_de00 = 0 is out of range; allowed [1e-05, 100]"},
     {"NoToml", "[material.m\n", ""},
+    {"CompressIntoACurveOfALut", scene("[lut.a]\nspace = \"srgb_rec709\"\ngamut = \"compress\"\n"),
+     ":5:9 [lut.a]: gamut = \"compress\" needs a linear space, and srgb_rec709 is not linear; use clip or keep"},
     {"CompressIntoACurve", scene("[colour]\nspace = \"srgb_rec709\"\ngamut = \"compress\"\n"),
      ":5:9 [colour]: gamut = \"compress\" needs a linear space, and srgb_rec709 is not linear; use clip or keep"},
     {"UnknownColourSpace", scene("[colour]\nspace = \"lin_rec907\"\n"), ""},

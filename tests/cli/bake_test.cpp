@@ -229,6 +229,64 @@ TEST(Bake, SummarySaysHowFarOutsideAndWhatWasDone) {
     }
 }
 
+TEST(Bake, WarningOfNegativeComponentsNamesTheLutHowMuchOfItAndByHowMuch) {
+    const TemporaryFolder folder;
+    folder.file("s.toml", std::string(two_picks) +
+                              "[lut.morpho]\nsize = 64\n[lut.wide]\nsize = 64\n[lut.fitted]\nsize = 64\n"
+                              "gamut = \"compress\"\n");
+    const ProgramResult result = bake(folder, {});
+    ASSERT_EQ(result.exit_code, 0) << result.err;
+    const std::string share =
+        R"(: \d+ % of texels have negative components, because the colour lies outside lin_rec709; )"
+        R"(setting them to 0 would change it by up to dE00 \d+\n)";
+    EXPECT_TRUE(std::regex_match(
+        result.err,
+        std::regex("nacre: warning: morpho" + share + R"(nacre: warning: wide \(material morpho\))" + share +
+                   R"(nacre: warning: gamut = "compress" or "clip" in \[colour\] or \[lut.NAME\] removes negative )"
+                   R"(components; a wider space keeps the colours\n)")))
+        << result.err;
+}
+
+TEST(Bake, NegativeComponentsThatMatterLessThanTheBoundAreNoWarning) {
+    const TemporaryFolder folder;
+    // A green whose red is -0.020. Clipping changes it by CIEDE2000 0.85.
+    const std::string green =
+        "[material.green]\npicks = [ { angle_deg = 0, peak_nm = 530, width_nm = 180, height = 0.6 } ]\n";
+    for (const auto& [bound, warns] : {std::pair{"0.7", true}, {"1", false}}) {
+        folder.file("s.toml", green + "[lut.green]\nmax_de00 = " + bound + "\n");
+        const ProgramResult result = bake(folder, {});
+        ASSERT_EQ(result.exit_code, 0) << result.err;
+        EXPECT_NE(result.out.find("% of texels are negative"), std::string::npos) << result.out;
+        EXPECT_EQ(result.err.find("negative components") != std::string::npos, warns) << bound << result.err;
+    }
+}
+
+TEST(Bake, LutsMayHaveTheirOwnBoundGamutAndSpace) {
+    const TemporaryFolder folder;
+    folder.file("s.toml", std::string("[colour]\nspace = \"lin_p3d65\"\ngamut = \"clip\"\n[accuracy]\nmax_de00 = 1\n") +
+                              two_picks +
+                              "[lut.scene]\n[lut.own]\nspace = \"lin_ap1\"\ngamut = \"keep\"\nmax_de00 = 0.2\n");
+    const ProgramResult result = bake(folder, {});
+    ASSERT_EQ(result.exit_code, 0) << result.err;
+    for (const auto& [name, space, gamut, bound] :
+         {std::tuple{"scene", "lin_p3d65", "clip", "1"}, {"own", "lin_ap1", "keep", "0.2"}}) {
+        const std::string path = (folder.path() / "out" / name).string();
+        const StoredLut stored = read_lut(path + ".exr");
+        EXPECT_EQ(stored.header.value("colourSpace"), space);
+        EXPECT_EQ(stored.header.value("gamut"), gamut);
+        EXPECT_EQ(stored.header.value("accuracyAsked"), bound);
+        const auto manifest = nlohmann::json::parse(file_bytes(path + ".json"));
+        EXPECT_EQ(manifest["colour_space"], space);
+        EXPECT_EQ(manifest["gamut"]["rule"], gamut);
+        EXPECT_EQ(manifest["accuracy"]["max_de00"].get<double>(), std::stod(bound));
+        EXPECT_LE(manifest["accuracy"]["reached"].get<double>(), std::stod(bound));
+        EXPECT_EQ(run_nacre({"verify", path + ".exr"}).exit_code, 0) << name;
+    }
+    // The command line wins over both.
+    ASSERT_EQ(bake(folder, {"--accuracy", "3"}).exit_code, 0);
+    EXPECT_EQ(read_lut((folder.path() / "out/own.exr").string()).header.value("accuracyAsked"), "3");
+}
+
 TEST(Bake, CompressIntoEveryLinearSpaceVerifies) {
     const TemporaryFolder folder;
     for (const std::string space : {"lin_ap1", "lin_ap0", "lin_rec2020", "lin_p3d65"}) {

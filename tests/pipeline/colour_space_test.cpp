@@ -128,7 +128,8 @@ Baked bake_with(const OpenColourSpaces& open_colours) {
     std::vector<DecidedLut> luts = undecided_luts(scenes);
     decide_all(luts, {});
     const LoadedScene& scene = scenes.front();
-    return {bake_lut(luts.front().lut, scene.plan, scene.source, *scene.space), luts.front().lut.lut.format};
+    return {bake_lut(luts.front().lut, scene.plan, scene.source, scene.space_of(scene.plan.colour)),
+            luts.front().lut.lut.format};
 }
 
 TEST(OwnColourSpaces, BakeALutWithoutOpenColorIo) {

@@ -14,6 +14,7 @@
 #include "nacre/accuracy/reference.h"
 #include "nacre/accuracy/trial.h"
 #include "nacre/colour/difference.h"
+#include "nacre/lut/gamut.h"
 #include "nacre/lut/job.h"
 #include "nacre/lut/sampler.h"
 
@@ -68,6 +69,7 @@ Measured measure(const Job& job, const Image<Rgb>& stored, const Encoding& encod
     const double scale = brightness_scale(encoding.to_xyz(stored), display_scale(truth));
 
     Measured measured;
+    measured.scale = scale;
     measured.work.references = points.size();
     for (std::size_t i = 0; i < points.size(); ++i) {
         const double error = difference_at(seen.data()[i], truth.data()[i], scale);
@@ -77,6 +79,27 @@ Measured measure(const Job& job, const Image<Rgb>& stored, const Encoding& encod
         }
     }
     return measured;
+}
+
+ClippingLoss clipping_loss(const Image<Rgb>& stored, const Encoding& encoding, double scale, double bound) {
+    std::vector<Rgb> negative;
+    for (const Rgb& texel : stored) {
+        if (std::min({texel.r, texel.g, texel.b}) < 0.0) negative.push_back(texel);
+    }
+    ClippingLoss loss;
+    if (negative.empty()) return loss;
+    Image<Rgb> kept(static_cast<int>(negative.size()), 1);
+    std::copy(negative.begin(), negative.end(), kept.begin());
+    Image<Rgb> clipped(kept.width(), 1);
+    std::transform(kept.begin(), kept.end(), clipped.begin(), clip_to_gamut);
+    const Image<Xyz> meant = encoding.to_xyz(kept);
+    const Image<Xyz> seen = encoding.to_xyz(clipped);
+    for (std::size_t i = 0; i < meant.size(); ++i) {
+        const double change = difference_at(meant.data()[i], seen.data()[i], scale);
+        if (change > bound) ++loss.texels;
+        loss.de00 = std::max(loss.de00, change);
+    }
+    return loss;
 }
 
 namespace {

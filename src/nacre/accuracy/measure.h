@@ -14,6 +14,7 @@ namespace nacre {
 struct Measured {
     double reached = 0.0;  ///< largest CIEDE2000 found
     LutPoint at;
+    double scale = 1.0;  ///< how many times brighter colours were shown, see display_scale()
     Work work;
 };
 
@@ -27,6 +28,19 @@ Measured measure(const Job& job, const Image<Rgb>& stored, const Encoding& encod
                  std::span<const LutPoint> suspects);
 
 inline constexpr int spread_points = 96;
+
+/// What a LUT would lose if its negative components became 0.
+struct ClippingLoss {
+    std::size_t texels = 0;  ///< whose colour would change by more than the bound
+    double de00 = 0.0;       ///< the largest change, CIEDE2000
+    friend bool operator==(const ClippingLoss&, const ClippingLoss&) = default;
+};
+
+/// @param stored  the components as they are in the file
+/// @param scale   Measured::scale of the LUT
+/// @param bound   the CIEDE2000 that the LUT may err by
+/// @pre the encoding has a way back to XYZ
+ClippingLoss clipping_loss(const Image<Rgb>& stored, const Encoding& encoding, double scale, double bound);
 
 /// The share of the points at which measure() looks, in (0, 1].
 double measured_share(const Job& job);

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "nacre/base/where.h"
+#include "nacre/lut/colour_settings.h"
 #include "nacre/lut/formats.h"
 #include "nacre/lut/job.h"
 #include "nacre/material/effects.h"
@@ -37,6 +38,7 @@ struct PlannedLut {
     std::string name;
     Job job;  ///< its size is a placeholder until choose_lut() has decided it; so is the format
     AccuracyRequest request;
+    LutColour colour;
     PixelFormat format = PixelFormat::half_float;
     std::vector<LutOutput> outputs{LutOutput::exr, LutOutput::json};
     Where where;

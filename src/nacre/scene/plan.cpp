@@ -145,7 +145,7 @@ Plan plan_scene(const Table& scene, const SceneFiles& files, const PlanRequest& 
     const ColourSettings colour = plan_colour(scene);
 
     Materials materials(scene, material_context(scene, files, light, colour), light);
-    const SceneParts parts{scene, accuracy, light, materials};
+    const SceneParts parts{scene, accuracy, colour, light, materials};
     PlannedLuts luts = plan_luts(parts, request);
     PlannedSwatches swatches = plan_swatches(parts, request, luts.names);
     if (request.all_materials) {

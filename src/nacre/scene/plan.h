@@ -75,6 +75,6 @@ Plan plan_scene(const Table& scene, const SceneFiles& files, const PlanRequest& 
 
 /// A scene that holds one LUT and nothing else, every default written out: what a file header carries so that the LUT
 /// can be derived again. plan_scene() of it gives the same job, and this text again.
-std::string scene_toml(const PlannedLut& lut, const ColourSettings& colour);
+std::string scene_toml(const PlannedLut& lut);
 
 }  // namespace nacre

@@ -10,29 +10,45 @@ namespace nacre {
 
 namespace {
 
-// The text behind a key, and its place.
-void read_name(const Table& table, std::string_view key, std::string& name, Where& where) {
-    const Value* value = table.find(key);
-    if (value == nullptr) return;
-    attempt(table, value->where, [&] {
-        name = table.checked_text(key, *value);
-        where = value->where;
-        if (name.empty()) table.fail(value->where, std::string(key) + " is empty; give a name, or remove the key");
+std::string place_in(const Table& table, const Where& where) {
+    return where.text() + " [" + table.path() + "]";
+}
+
+// The text behind a key.
+void read_name(const Table& table, std::string_view key, const Value& value, std::string& name) {
+    attempt(table, value.where, [&] {
+        name = table.checked_text(key, value);
+        if (name.empty()) table.fail(value.where, std::string(key) + " is empty; give a name, or remove the key");
     });
 }
 
 }  // namespace
+
+void read_lut_colour(const Table& table, LutColour& colour) {
+    const Value* space = table.find("space");
+    const Value* gamut = table.find("gamut");
+    if (gamut != nullptr) {
+        colour.gamut = read_word(table, "gamut", "gamut", gamut_words);
+        colour.where = place_in(table, gamut->where);
+    }
+    if (space != nullptr) {
+        read_name(table, "space", *space, colour.space);
+        colour.is_space_given = true;
+        colour.where = place_in(table, space->where);
+    }
+}
 
 ColourSettings plan_colour(const Table& scene) {
     ColourSettings colour;
     attempt(scene, scene.where(), [&] {
         const Table* table = scene.table("colour");
         if (table == nullptr) return;
-        read_name(*table, "config", colour.config, colour.config_where);
-        colour.space_where = table->where();
-        colour.is_space_given = table->find("space") != nullptr;
-        read_name(*table, "space", colour.space, colour.space_where);
-        colour.gamut = read_word(*table, "gamut", "gamut", gamut_words);
+        colour.where = place_in(*table, table->where());
+        if (const Value* config = table->find("config")) {
+            read_name(*table, "config", *config, colour.config);
+            colour.config_where = config->where;
+        }
+        read_lut_colour(*table, colour);
         attempt(*table, table->where(), [&] { colour.interchange = table->text_or("interchange", ""); });
         table->expect_all_read();
     });

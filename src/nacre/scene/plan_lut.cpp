@@ -85,7 +85,7 @@ void read_axes(const Table& table, Job& job) {
     attempt(table, table.where(), [&] { read_fixed_angle(table, job); });
 }
 
-// A size of the LUT's own counts instead of [accuracy]'s.
+// What the LUT says itself counts instead of what [accuracy] says.
 void read_request(const Table& table, const AccuracySettings& accuracy, PlannedLut& lut) {
     const bool has_y = table.find("y") != nullptr;
     AccuracySettings settings = accuracy;
@@ -94,6 +94,8 @@ void read_request(const Table& table, const AccuracySettings& accuracy, PlannedL
         if (own.height && !has_y) table.fail_at("size", "size has two numbers, but there is no y axis; give one");
         if (own.width) settings.size = {own.width, own.height ? own.height : own.width};
     });
+    if (const Value* bound = table.find("max_de00"))
+        settings.max_de00 = table.checked_number("max_de00", *bound, allowed_max_de00);
     AccuracyRequest request = default_request(settings, has_y);
     if (table.find("format") != nullptr) request.format = read_word(table, "format", "format", format_words);
     take_request(request, lut);
@@ -183,6 +185,8 @@ std::optional<PlannedLut> read_lut(const Table& table, const Table::Entry& entry
         for (const std::string_view key : {"x", "y", "angle_deg", "grating_u", "cos_scatter"}) table.skip(key);
     }
     read_request(table, parts.accuracy, lut);
+    lut.colour = parts.colour;
+    read_lut_colour(table, lut.colour);
     read_outputs(table, lut);
     table.expect_all_read();
     if (material == nullptr || !table.is_good()) return {};

@@ -48,6 +48,7 @@ std::optional<PlannedLut> default_lut(const std::string& name, const SceneParts&
     lut.job.light = parts.light;
     lut.job.x = default_axis(quantity_of(material->mechanism));
     take_request(default_request(parts.accuracy, false), lut);
+    lut.colour = parts.colour;
     lut.where = material->where;
     return lut;
 }

@@ -13,17 +13,18 @@
 namespace nacre {
 namespace {
 
-// @return nothing if the LUT, its material or the swatch has mistakes
-std::optional<Job> job_of_lut(const Table& table, const Value& value, const SceneParts& parts,
-                              const std::vector<std::string>& lut_names) {
+// Leaves the swatch without jobs if the LUT or its material has mistakes.
+void show_lut(const Table& table, const Value& value, const SceneParts& parts,
+              const std::vector<std::string>& lut_names, PlannedSwatch& swatch) {
     if (table.find("material") != nullptr)
         table.note_at("material", "a swatch shows a material or a lut; remove one of them");
     const std::string& name = table.checked_text("lut", value);
     const NamedLut found = lut_named(parts, name);
     if (!found.exists)
         table.note(value.where, "unknown lut " + in_quotes(name) + "; known: " + known_like(name, lut_names));
-    if (!found.lut) return {};
-    return found.lut->job;
+    if (!found.lut) return;
+    swatch.jobs = {found.lut->job};
+    swatch.colour = found.lut->colour;
 }
 
 void check_shows_something(const Table& table, SwatchKind kind, const SceneMaterial& material) {
@@ -61,6 +62,7 @@ std::optional<PlannedSwatch> read_swatch(const Table& table, const Table::Entry&
     PlannedSwatch swatch;
     swatch.name = entry.key;
     swatch.where = entry.key_where;
+    swatch.colour = parts.colour;
     const std::string draw = table.text("draw");
     swatch.kind = meaning_of(swatch_words, "swatch", draw, table, table.find("draw")->where);
     swatch.display = table.text_or("display", "");
@@ -69,7 +71,7 @@ std::optional<PlannedSwatch> read_swatch(const Table& table, const Table::Entry&
     const bool may_show_lut = swatch.kind == SwatchKind::strip || swatch.kind == SwatchKind::sphere;
     const Value* lut = may_show_lut ? table.find("lut") : nullptr;
     if (lut != nullptr) {
-        if (auto job = job_of_lut(table, *lut, parts, lut_names)) swatch.jobs = {std::move(*job)};
+        show_lut(table, *lut, parts, lut_names, swatch);
     } else {
         show_material(table, parts, swatch);
     }

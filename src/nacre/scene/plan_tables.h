@@ -50,6 +50,9 @@ void take_request(const AccuracyRequest& request, PlannedLut& lut);
 std::shared_ptr<const Light> plan_light(const Table& scene, const AccuracySettings& accuracy,
                                         const CurveReader& read_curve);
 
+/// `space` and `gamut`, of [colour] or of a LUT. What the table does not say stays as it is.
+void read_lut_colour(const Table& table, LutColour& colour);
+
 /// [colour].
 ColourSettings plan_colour(const Table& scene);
 
@@ -93,6 +96,7 @@ const SceneMaterial* material_of(const Table& table, Materials& materials);
 struct SceneParts {
     const Table& scene;
     AccuracySettings accuracy;
+    ColourSettings colour;
     std::shared_ptr<const Light> light;  ///< null if it has mistakes
     Materials& materials;
 };

@@ -7,6 +7,7 @@
 
 #include "nacre/base/where.h"
 #include "nacre/base/words.h"
+#include "nacre/lut/colour_settings.h"
 #include "nacre/lut/gamut.h"
 #include "nacre/lut/job.h"
 #include "nacre/pick/picked_colour.h"
@@ -37,6 +38,7 @@ struct PlannedSwatch {
     std::string title;
     std::vector<Job> jobs;             ///< plane, strip, sphere: one; palette: one per pick shown
     std::vector<PickedColour> picked;  ///< of the material, those that were given as colours
+    LutColour colour;                  ///< of the LUT that it shows, or of the scene
     std::string display;               ///< empty: the config's default
     std::string view;
     Gamut gamut = Gamut::compress;  ///< compress or clip: how colours that an sRGB display lacks are shown

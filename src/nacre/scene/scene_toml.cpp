@@ -60,11 +60,11 @@ std::string fixed_toml(const Job& job) {
 
 }  // namespace
 
-std::string scene_toml(const PlannedLut& lut, const ColourSettings& colour) {
+std::string scene_toml(const PlannedLut& lut) {
     const Job& job = lut.job;
     std::string text = "nacre = 1\n\n" + light_toml(job.light->settings);
-    text += "\n[colour]\nspace = " + toml_string(colour.space) +
-            "\ngamut = " + toml_string(name_of(gamut_words, colour.gamut)) + "\n";
+    text += "\n[colour]\nspace = " + toml_string(lut.colour.space) +
+            "\ngamut = " + toml_string(name_of(gamut_words, lut.colour.gamut)) + "\n";
     text += "\n[accuracy]\n";
     if (lut.request.has_bound) text += "max_de00 = " + number_text(lut.request.max_de00) + "\n";
     if (const auto& wavelengths = job.light->settings.wavelengths)

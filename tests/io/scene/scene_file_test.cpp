@@ -45,9 +45,9 @@ TEST(SceneFile, SceneOfALutIsAFixedPoint) {
         "size = [4, 8]\nangle_deg = 33.3\nformat = \"float\"\n";
     const Plan plan = plan_scene(parse_scene(text, "s"), scene_files());
     ASSERT_EQ(plan.luts.size(), 1u);
-    const std::string once = scene_toml(plan.luts[0], plan.colour);
+    const std::string once = scene_toml(plan.luts[0]);
     const Plan again = plan_scene(parse_scene(once, "header"), scene_files());
-    EXPECT_EQ(scene_toml(again.luts[0], again.colour), once);
+    EXPECT_EQ(scene_toml(again.luts[0]), once);
     EXPECT_EQ(again.light->settings.power, plan.light->settings.power);
     EXPECT_EQ(again.light->settings.first_nm, 400);
     EXPECT_EQ(again.luts[0].job.fixed.incidence.theta_deg, 33.3);

@@ -148,6 +148,26 @@ TEST(Measure, JudgesAGamutRuleByWhatItWasAskedToShow) {
     EXPECT_GT(measure(job, stored, encoding, {}).reached, 1.0);
 }
 
+// Three texels whose change is known from the definition: clipping shows clip_to_gamut(texel) instead of the texel.
+TEST(ClippingLoss, CountsTexelsThatChangeByMoreThanTheBoundAndFindsTheLargestChange) {
+    constexpr double scale = 2.0;
+    const std::vector<Rgb> colours{{0.2, 0.3, 0.4}, {0.2, 0.3, -1e-5}, {0.3, 0.2, -0.02}, {-0.1, 0.4, 0.3}};
+    Image<Rgb> stored(static_cast<int>(colours.size()), 1);
+    std::copy(colours.begin(), colours.end(), stored.begin());
+    Image<Rgb> clipped = stored;
+    for (Rgb& texel : clipped) texel = clip_to_gamut(texel);
+    const Image<Xyz> meant = encoding.to_xyz(stored), seen = encoding.to_xyz(clipped);
+    std::vector<double> changes;
+    for (int i = 0; i < stored.width(); ++i) changes.push_back(difference_at(meant.at(i, 0), seen.at(i, 0), scale));
+    ASSERT_EQ(changes[0], 0.0);
+    ASSERT_LT(changes[1], 0.01);
+    ASSERT_LT(changes[2], changes[3]);
+    EXPECT_EQ(clipping_loss(stored, encoding, scale, 0.5 * changes[1]), (ClippingLoss{3, changes[3]}));
+    EXPECT_EQ(clipping_loss(stored, encoding, scale, 0.1), (ClippingLoss{2, changes[3]}));
+    EXPECT_EQ(clipping_loss(stored, encoding, scale, 1.01 * changes[2]), (ClippingLoss{1, changes[3]}));
+    EXPECT_EQ(clipping_loss(Image<Rgb>(4, 1, colours[0]), encoding, scale, 0.1), ClippingLoss{});
+}
+
 TEST(Measure, CountsWhatThePlanSaysItWill) {
     for (const Job& job : many_jobs()) {
         for (const std::size_t suspect_count : {std::size_t{0}, std::size_t{48}}) {

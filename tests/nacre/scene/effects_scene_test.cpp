@@ -816,11 +816,11 @@ TEST_P(EffectsScene, ComesBackFromTheHeaderAsTheSameJob) {
     const Plan plan = plan_of("[material.m]\n" + GetParam().keys);
     ASSERT_GE(plan.luts.size(), 1u);
     for (const PlannedLut& lut : plan.luts) {
-        const std::string header = scene_toml(lut, plan.colour);
+        const std::string header = scene_toml(lut);
         try {
             const Plan read = plan_of(header);
             ASSERT_EQ(read.luts.size(), 1u) << header;
-            EXPECT_EQ(scene_toml(read.luts[0], read.colour), header);
+            EXPECT_EQ(scene_toml(read.luts[0]), header);
         } catch (const Error& error) {
             FAIL() << error.what() << "\n" << header;
         }

@@ -67,7 +67,7 @@ TEST_P(LayeredForm, ComesBackFromTheHeaderAsTheSameJob) {
     folder.file("wide.csv", wide_csv);
     const Plan plan = plan_of(folder, GetParam().scene);
     ASSERT_EQ(plan.luts.size(), 1u);
-    const std::string header = scene_toml(plan.luts[0], plan.colour);
+    const std::string header = scene_toml(plan.luts[0]);
     EXPECT_NE(header.find(GetParam().toml), std::string::npos) << header;
 
     const TemporaryFolder elsewhere;  // where no file of the user's lies
@@ -80,7 +80,7 @@ TEST_P(LayeredForm, ComesBackFromTheHeaderAsTheSameJob) {
     ASSERT_EQ(read.luts.size(), 1u);
     const Job& job = plan.luts[0].job;
     const Job& again = read.luts[0].job;
-    EXPECT_EQ(scene_toml(read.luts[0], read.colour), header);
+    EXPECT_EQ(scene_toml(read.luts[0]), header);
     EXPECT_EQ(again.material.name, job.material.name);
     EXPECT_EQ(again.width, job.width);
     EXPECT_EQ(again.height, job.height);
@@ -322,14 +322,14 @@ TEST(LayeredHeader, SaysWhereSpectraWereSampled) {
         ASSERT_GT(lut.request.sampling.nodes.front(), 0);
         EXPECT_EQ(lut.request.sampling.thickness_samples, 16);
         lut.job.sampling = choose_sampling(lut.job, {1e-3, 0.1}, lut.request.sampling).sampling;
-        const std::string header = scene_toml(lut, plan.colour);
+        const std::string header = scene_toml(lut);
         const Plan again = plan_of(folder, header);
         EXPECT_EQ(again.luts[0].request.sampling.nodes, lut.request.sampling.nodes) << header;
         EXPECT_EQ(again.luts[0].request.sampling.thickness_samples, 16) << header;
         EXPECT_TRUE(again.warnings.empty()) << again.warnings.front();
     }
     const Plan sampled = plan_of(folder, rough + "[accuracy]\nwavelengths = 81\n");
-    EXPECT_NE(scene_toml(sampled.luts[0], sampled.colour).find("\nwavelengths = 81\n"), std::string::npos);
+    EXPECT_NE(scene_toml(sampled.luts[0]).find("\nwavelengths = 81\n"), std::string::npos);
 }
 
 // Mistakes: one line each, word for word.

@@ -30,6 +30,7 @@ struct BakeOptions {
     std::vector<std::string> scenes;
     std::string folder = ".";
     std::vector<std::string> only;
+    std::vector<std::string> edits;
     std::string ocio;
     std::string shard;
     double accuracy = 0.0;
@@ -140,6 +141,7 @@ int bake(const std::vector<BakeTask>& tasks, const BakeOptions& options, const E
 int run_bake(const BakeOptions& options, bool with_luts, Console& console) {
     SceneRequest request = scene_request(options.ocio, console);
     request.only = options.only;
+    request.edits = scene_edits(options.edits);
     request.strict = options.strict;
     std::vector<LoadedScene> scenes = open_scenes(options.scenes, request, console);
     if (with_luts) override_accuracy(scenes, accuracy_override(options.accuracy, options.effects));
@@ -165,6 +167,7 @@ std::vector<Option> shared_options(BakeOptions& options) {
              .value_name = "DIR",
              .shows_default = true},
             only_option(options.only),
+            set_option(options.edits),
             ocio_option(options.ocio),
             threads_option(options.threads),
             strict_option(options.strict),

@@ -44,6 +44,15 @@ Option strict_option(bool& is_strict) {
             .help = "treat a picked colour that cannot be reached as an error instead of a warning"};
 }
 
+Option set_option(std::vector<std::string>& edits) {
+    return {.names = "--set",
+            .target = &edits,
+            .help =
+                "change a value of the scenes, for example --set material.hero.picks[0].colour=#aa2244; a string "
+                "needs no quotes; may be repeated",
+            .value_name = "KEY=VALUE"};
+}
+
 Option accuracy_option(double& bound) {
     return {.names = "--accuracy",
             .target = &bound,

@@ -13,6 +13,7 @@ Option only_option(std::vector<std::string>& names);
 Option ocio_option(std::string& file);
 Option threads_option(int& threads);
 Option strict_option(bool& is_strict);
+Option set_option(std::vector<std::string>& edits);
 /// @param bound  stays 0 if it is not given
 Option accuracy_option(double& bound);
 /// @param word  stays empty if it is not given

@@ -22,6 +22,7 @@ namespace {
 struct PlanOptions {
     std::vector<std::string> scenes;
     std::vector<std::string> only;
+    std::vector<std::string> edits;
     std::string ocio;
     double accuracy = 0.0;
     std::string effects;
@@ -61,6 +62,7 @@ void print(const std::vector<PlanRow>& rows, const std::vector<LoadedScene>& sce
 int run_plan(const PlanOptions& options, Console& console) {
     SceneRequest request = scene_request(options.ocio, console);
     request.only = options.only;
+    request.edits = scene_edits(options.edits);
     request.strict = options.strict;
     std::vector<LoadedScene> scenes = open_scenes(options.scenes, request, console);
     override_accuracy(scenes, accuracy_override(options.accuracy, options.effects));
@@ -85,8 +87,8 @@ Command plan_command() {
     Command command{"plan", "print what will be baked: size, accuracy, time", {}, {}};
     command.options = {scenes_option(options->scenes),   accuracy_option(options->accuracy),
                        effects_option(options->effects), only_option(options->only),
-                       ocio_option(options->ocio),       threads_option(options->threads),
-                       strict_option(options->strict)};
+                       set_option(options->edits),       ocio_option(options->ocio),
+                       threads_option(options->threads), strict_option(options->strict)};
     command.footer =
         "\nThe table shows for each LUT its axes, size and number format, how spectra are integrated, the expected "
         "error\n"

@@ -6,6 +6,7 @@
 #include "cli/report.h"
 #include "cli/stop_signal.h"
 #include "io/ocio/ocio_spaces.h"
+#include "io/scene/toml_tree.h"
 #include "nacre/base/error.h"
 #include "nacre/base/names.h"
 #include "nacre/lut/planned_lut.h"
@@ -35,6 +36,22 @@ SceneRequest scene_request(const std::string& ocio, Console& console) {
     request.after_step = throw_if_stopped;
     request.on_warning = [&console](const std::string& warning) { console.warning(warning); };
     return request;
+}
+
+std::vector<SceneEdit> scene_edits(const std::vector<std::string>& words) {
+    std::vector<SceneEdit> edits;
+    for (const std::string& word : words) {
+        const Where where{"--set " + in_quotes(word)};
+        const std::size_t equals = word.find('=');
+        if (equals == std::string::npos) {
+            throw Error(where.text() +
+                        ": is not KEY=VALUE; write for example --set material.hero.picks[0].colour=#aa2244");
+        }
+        const std::string key = word.substr(0, equals);
+        const std::string heading = key.substr(0, std::min(key.rfind('.'), key.size()));
+        edits.push_back({key, parse_value(word.substr(equals + 1), heading, where), where});
+    }
+    return edits;
 }
 
 std::vector<LoadedScene> open_scenes(const std::vector<std::string>& paths, const SceneRequest& request,

@@ -13,6 +13,11 @@ namespace nacre {
 /// @param ocio  --ocio
 SceneRequest scene_request(const std::string& ocio, Console& console);
 
+/// The options --set: "KEY=VALUE".
+///
+/// Throws Error for a word without "=", and for a value that is broken TOML.
+std::vector<SceneEdit> scene_edits(const std::vector<std::string>& words);
+
 /// Opens the scenes of a command line; with -v it says what is in them.
 ///
 /// Throws Error if --only names what none of them has.

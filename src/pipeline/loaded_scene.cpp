@@ -65,10 +65,14 @@ bool asks_for_png(const PlannedLut& lut) {
     return std::find(lut.outputs.begin(), lut.outputs.end(), LutOutput::png) != lut.outputs.end();
 }
 
-Plan plan_table(const Table& table, const std::string& path, const SceneRequest& request) {
+Plan plan_table(Table table, const std::string& path, const SceneRequest& request) {
+    for (const SceneEdit& edit : request.edits) set_key(table, edit);
     Plan plan =
         plan_scene(table, scene_files_with_colours(path, request.config, request.open_colours, request.after_step),
                    {request.only, request.all_materials, request.strict});
+    for (PlannedLut& lut : plan.luts) {
+        for (const SceneEdit& edit : request.edits) lut.edits.push_back(edit_text(edit));
+    }
     if (request.on_warning) {
         for (const std::string& warning : plan.warnings) request.on_warning(warning);
     }

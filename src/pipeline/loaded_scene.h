@@ -9,6 +9,7 @@
 #include "nacre/lut/colour_settings.h"
 #include "nacre/lut/colour_space.h"
 #include "nacre/lut/colour_spaces.h"
+#include "nacre/scene/edit_scene.h"
 #include "nacre/scene/plan.h"
 #include "pipeline/baked_lut.h"
 
@@ -20,6 +21,7 @@ struct SceneRequest {
     std::string config;             ///< colour config of the front end (--ocio); wins over the scene's. May be empty
     bool want_swatches = true;      ///< whether displays and views are needed
     std::vector<std::string> only;  ///< names of LUTs and swatches; empty: all
+    std::vector<SceneEdit> edits;   ///< made in every scene before it is planned
     bool all_materials = false;     ///< those too that no LUT and no swatch asks for
     bool strict = false;            ///< whether a picked colour that cannot be reached is an error
     /// Called every few steps of a search for what picks ask for; what it throws ends it. May be empty.

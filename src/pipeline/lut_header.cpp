@@ -9,6 +9,7 @@
 
 #include "io/disk/hash.h"
 #include "nacre/accuracy/choose_sampling.h"
+#include "nacre/base/names.h"
 #include "nacre/base/text.h"
 #include "nacre/colour/rgb_space.h"
 #include "nacre/lut/formats.h"
@@ -122,6 +123,7 @@ LutHeader lut_header(const ChosenLut& chosen, const ColourSource& source, const 
     add_light(attributes, chosen.lut.job);
     add_accuracy(attributes, chosen, baked);
     add_colour(attributes, chosen.lut.colour.gamut, source, space, baked);
+    if (!chosen.lut.edits.empty()) attributes.emplace_back("edits", comma_separated(chosen.lut.edits));
     const std::string scene = scene_toml(chosen.lut);
     attributes.emplace_back("scene", scene);
     attributes.emplace_back("sceneHash", hash_text(scene));

@@ -112,6 +112,7 @@ Json manifest_json(const ChosenLut& chosen, const BakedLut& baked) {
     for (const PickedColour& picked : baked.picked) json["picked"].push_back(picked_json(picked));
     if (baked.clamped.below_deg) json["clamped_below_deg"] = rounded_angle(*baked.clamped.below_deg);
     if (baked.clamped.above_deg) json["clamped_above_deg"] = rounded_angle(*baked.clamped.above_deg);
+    if (!chosen.lut.edits.empty()) json["edits"] = chosen.lut.edits;
     json["scene"] = baked.header.value("scene");
     json["scene_hash"] = baked.header.value("sceneHash");
     return json;

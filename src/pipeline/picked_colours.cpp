@@ -1,6 +1,5 @@
 #include "pipeline/picked_colours.h"
 
-#include <filesystem>
 #include <map>
 #include <memory>
 #include <utility>
@@ -56,7 +55,7 @@ ColourConfigChoice config_choice(const ColourSettings& colour, const std::string
     if (!config.empty()) return {config, colour.interchange, "--ocio"};
     if (colour.config.empty()) return {"", colour.interchange, scene_path};
     // A file that a scene names lies beside the scene.
-    const auto file = std::filesystem::path(colour.config_where.file).parent_path() / colour.config;
+    const auto file = folder_of(colour.config_where) / colour.config;
     return {file.string(), colour.interchange, colour.config_where.text() + " [colour]"};
 }
 

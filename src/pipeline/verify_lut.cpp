@@ -29,10 +29,10 @@ constexpr std::array required_attributes{"version",          "scene",           
 
 // What only says where the transform came from, or which program wrote it.
 bool is_about_origin(const std::string& name) {
-    // What was measured about effects when they were chosen, and the colours that picks were given as: the scene in the
-    // header has the choice itself, and the bands that the colours became.
+    // What was measured about effects when they were chosen, the colours that picks were given as, and what was changed
+    // in the scene: the scene in the header has the choice itself, the bands that the colours became, and the result.
     return name == "version" || name == "colourConfig" || name == "colourConfigHash" || name == "effects" ||
-           name == "picked";
+           name == "picked" || name == "edits";
 }
 
 Plan plan_of_header(const StoredLut& stored) {

@@ -287,6 +287,54 @@ TEST(Bake, LutsMayHaveTheirOwnBoundGamutAndSpace) {
     EXPECT_EQ(read_lut((folder.path() / "out/own.exr").string()).header.value("accuracyAsked"), "3");
 }
 
+TEST(Bake, SetChangesTheSceneAndTheFilesSayWhatWasChanged) {
+    const TemporaryFolder folder;
+    folder.file("s.toml", two_picks);
+    const ProgramResult result = bake(folder, {"--set", "material.morpho.picks[0].peak_nm=500", "--set",
+                                               "accuracy.max_de00=0.5", "--set", "colour.gamut=clip"});
+    ASSERT_EQ(result.exit_code, 0) << result.err;
+    const std::string path = (folder.path() / "out/morpho.exr").string();
+    const StoredLut stored = read_lut(path);
+    EXPECT_EQ(stored.header.value("edits"),
+              "material.morpho.picks[0].peak_nm = 500, accuracy.max_de00 = 0.5, colour.gamut = \"clip\"");
+    EXPECT_EQ(stored.header.value("gamut"), "clip");
+    EXPECT_NE(stored.header.value("scene").find("peak_nm = 500,"), std::string::npos) << stored.header.value("scene");
+    const auto manifest = nlohmann::json::parse(file_bytes(folder.path() / "out/morpho.json"));
+    EXPECT_EQ(manifest["edits"], (nlohmann::json{"material.morpho.picks[0].peak_nm = 500", "accuracy.max_de00 = 0.5",
+                                                 "colour.gamut = \"clip\""}));
+    EXPECT_EQ(run_nacre({"verify", path}).exit_code, 0);
+    // The same as a scene in which the numbers stand, but for that attribute.
+    std::string edited = two_picks;
+    edited.replace(edited.find("460"), 3, "500");
+    folder.file("s.toml", edited + "[accuracy]\nmax_de00 = 0.5\n[colour]\ngamut = \"clip\"\n");
+    ASSERT_EQ(bake(folder, {}).exit_code, 0);
+    const StoredLut written = read_lut(path);
+    EXPECT_EQ(written.header.value("scene"), stored.header.value("scene"));
+    EXPECT_EQ(written.header.value("edits"), "");
+    EXPECT_TRUE(std::equal(written.image.begin(), written.image.end(), stored.image.begin()));
+}
+
+TEST(Bake, SetIsAnOptionOfBakePlanAndSwatchAndItsMistakesAreWrongInput) {
+    const TemporaryFolder folder;
+    folder.file("s.toml", std::string(two_picks) + "[swatch.strip]\ndraw = \"strip\"\n");
+    for (const std::string command : {"bake", "plan", "swatch"}) {
+        const auto run = [&](const std::string& edit) {
+            return run_nacre({command, "s.toml", "--set", edit}, {folder.path(), {}, {}, {}});
+        };
+        for (const auto& [edit, message] :
+             {std::pair{"foo", "is not KEY=VALUE; write for example --set material.hero.picks[0].colour=#aa2244"},
+              {"material.blue.shape=1", "s.toml has no material.blue; known in material: morpho"},
+              {"material.morpho.picks=[1", "not TOML: Error while parsing array: encountered end-of-file"}}) {
+            const ProgramResult result = run(edit);
+            EXPECT_EQ(result.exit_code, 2) << command << edit;
+            EXPECT_EQ(result.err, "nacre: --set \"" + std::string(edit) + "\": " + message + "\n");
+        }
+        EXPECT_EQ(run("accuracy.max_de0=1").err,
+                  "nacre: --set \"accuracy.max_de0=1\" [accuracy]: unknown key \"max_de0\"; did you mean max_de00?\n");
+        EXPECT_EQ(run("material.morpho.shape=0.5").exit_code, 0) << command;
+    }
+}
+
 TEST(Bake, CompressIntoEveryLinearSpaceVerifies) {
     const TemporaryFolder folder;
     for (const std::string space : {"lin_ap1", "lin_ap0", "lin_rec2020", "lin_p3d65"}) {

@@ -41,6 +41,7 @@ struct PlannedLut {
     LutColour colour;
     PixelFormat format = PixelFormat::half_float;
     std::vector<LutOutput> outputs{LutOutput::exr, LutOutput::json};
+    std::vector<std::string> edits;  ///< what was changed in the scene before it was planned: "accuracy.max_de00 = 0.5"
     Where where;
 };
 

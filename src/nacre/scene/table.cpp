@@ -57,6 +57,22 @@ void Table::add(std::string key, Where key_where, Value value) {
     entries_.push_back({std::move(key), std::move(key_where), std::move(value), false});
 }
 
+void Table::set(std::string key, Where key_where, Value value) {
+    Value* const present = to_change(key);
+    if (present == nullptr) {
+        add(std::move(key), std::move(key_where), std::move(value));
+    } else {
+        *present = std::move(value);
+    }
+}
+
+Value* Table::to_change(std::string_view key) {
+    if (const auto exact = index_.find(key); exact != index_.end()) return &entries_[exact->second].value;
+    const auto like =
+        std::find_if(entries_.begin(), entries_.end(), [&](const Entry& entry) { return is_same_key(entry.key, key); });
+    return like == entries_.end() ? nullptr : &like->value;
+}
+
 const Table::Entry* Table::entry_of(std::string_view key) const {
     auto found = index_.find(key);
     const std::string american = american_spelling(key);

@@ -47,6 +47,11 @@ public:
     /// Throws if the key is there already.
     void add(std::string key, Where key_where, Value value);
 
+    /// Adds a key, or gives it another value; in either spelling.
+    void set(std::string key, Where key_where, Value value);
+    /// The value of a key in either spelling, to be changed before the scene is read; null if there is none.
+    Value* to_change(std::string_view key);
+
     const std::string& path() const { return path_; }
     const Where& where() const { return where_; }
     const std::vector<Entry>& entries() const { return entries_; }

@@ -2,6 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <string>
+#include <utility>
+#include <vector>
+
 #include "io/scene/curve_csv.h"
 #include "nacre/base/error.h"
 #include "support/folders.h"
@@ -56,6 +60,98 @@ TEST(SceneFile, SceneOfALutIsAFixedPoint) {
     EXPECT_EQ(std::get<Palette>(again.luts[0].job.material.mechanism),
               std::get<Palette>(plan.luts[0].job.material.mechanism));
     EXPECT_EQ(again.colour.space, "a \"b\" \\ c");
+}
+
+// The keys of a material, in their order.
+std::vector<std::string> keys_of(const Table& scene, const std::string& material) {
+    std::vector<std::string> keys;
+    for (const Table::Entry& entry : scene.table("material")->table(material)->entries()) keys.push_back(entry.key);
+    return keys;
+}
+
+std::vector<std::string> materials_of(const Table& scene) {
+    std::vector<std::string> names;
+    for (const Table::Entry& entry : scene.table("material")->entries()) names.push_back(entry.key);
+    return names;
+}
+
+std::string message_of(const std::string& path) {
+    try {
+        read_scene_file(path);
+    } catch (const Error& error) {
+        return error.what();
+    }
+    return "was accepted";
+}
+
+TEST(SceneFile, IncludesWhatAPatternMatchesInTheOrderOfNames) {
+    const test::TemporaryFolder folder;
+    for (const std::string name : {"b", "a", "c"}) {
+        folder.file("p[1]/" + name + ".toml", "[material." + name + "]\nshape = 1\n");
+        folder.file("p[1]/" + name + ".txt", "no TOML");
+    }
+    folder.file("p[1]/[x].toml", "[material.literal]\nshape = 1\n");
+    const test::CurrentFolder here(folder.path());
+    folder.file("s.toml", "include = \"p[[]1]/?.toml\"\n[material.z]\n");
+    EXPECT_EQ(materials_of(read_scene_file("s.toml")), (std::vector<std::string>{"a", "b", "c", "z"}));
+    folder.file("p[1]/s.toml", "include = [\"[ab].toml\", \"[x].toml\"]\n");
+    EXPECT_EQ(materials_of(read_scene_file("p[1]/s.toml")), (std::vector<std::string>{"a", "b", "literal"}))
+        << "the folder of the scene is no pattern, and neither is the name of a file that there is";
+    folder.file("p[1]/all.toml", "include = \"*[bl].toml\"\n[material.self]\n");
+    EXPECT_EQ(materials_of(read_scene_file("p[1]/all.toml")), (std::vector<std::string>{"b", "self"}))
+        << "a pattern does not match the scene itself";
+}
+
+TEST(SceneFile, PatternThatMatchesNothingIsAMistake) {
+    const test::TemporaryFolder folder;
+    const test::CurrentFolder here(folder.path());
+    folder.file("s.toml", "include = [ \"parts/*.toml\" ]\n");
+    EXPECT_EQ(message_of("s.toml"), "s.toml:1:13: include of \"parts/*.toml\" matches no file");
+}
+
+TEST(SceneFile, OverridesAnIncludedFileKeyByKeyIfItSaysSo) {
+    const test::TemporaryFolder folder;
+    const test::CurrentFolder here(folder.path());
+    folder.file("base.toml",
+                "nacre = 1\n[light]\nilluminant = \"A\"\nadapt = \"cat16\"\n"
+                "[material.a]\nshape = 0.5\nbase = { grey = 0.5 }\n[material.b]\nshape = 0.5\n");
+    const std::string own =
+        "[light]\nilluminant = \"D50\"\n[material.a]\nbase = { rgb = [1, 1, 1] }\ntilt_deg = 3\n[material.c]\n";
+    folder.file("s.toml", "nacre = 1\ninclude = { file = \"base.toml\", override = true }\n" + own);
+    const Table scene = read_scene_file("s.toml");
+    EXPECT_EQ(scene.table("light")->text("illuminant"), "D50");
+    EXPECT_EQ(scene.table("light")->find("illuminant")->where.text(), "s.toml:4:14");
+    EXPECT_EQ(scene.table("light")->text("adapt"), "cat16");
+    EXPECT_EQ(materials_of(scene), (std::vector<std::string>{"a", "b", "c"}));
+    EXPECT_EQ(keys_of(scene, "a"), (std::vector<std::string>{"shape", "base", "tilt_deg"}));
+    const Table* base = scene.table("material")->table("a")->table("base");
+    EXPECT_EQ(base->find("grey"), nullptr) << "a value in braces is replaced as a whole";
+    EXPECT_NE(base->find("rgb"), nullptr);
+
+    folder.file("s.toml", "include = \"base.toml\"\n" + own);
+    EXPECT_EQ(message_of("s.toml"), "s.toml:3:1 [light]: illuminant is already given at base.toml:3:1; give it once");
+    // What is overridden is the included file, whichever other file says so.
+    folder.file("own.toml", own);
+    folder.file("s.toml", "include = [ \"own.toml\", { file = \"base.toml\", override = true } ]\n");
+    EXPECT_EQ(read_scene_file("s.toml").table("light")->text("illuminant"), "D50");
+    folder.file("s.toml", "include = [ \"base.toml\", { file = \"own.toml\", override = true } ]\n");
+    EXPECT_EQ(read_scene_file("s.toml").table("light")->text("illuminant"), "A");
+}
+
+TEST(SceneFile, MistakesInIncludeSayWhatIsAllowed) {
+    const test::TemporaryFolder folder;
+    const test::CurrentFolder here(folder.path());
+    for (const auto& [include, message] : std::vector<std::pair<std::string, std::string>>{
+             {"3",
+              "s.toml:1:11: include = 3 is a whole number; give the name of a file, or { file = \"NAME\", override "
+              "= true }"},
+             {"{ file = \"a.toml\", override = 1 }", "s.toml:1:41: override = 1 is a whole number; give true or false"},
+             {"{ override = true }", "s.toml:1:11: file is missing; it is required"},
+             {"{ file = \"a.toml\", overide = true }",
+              "s.toml:1:30: unknown key \"overide\"; did you mean override?"}}) {
+        folder.file("s.toml", "include = " + include + "\n");
+        EXPECT_EQ(message_of("s.toml"), message);
+    }
 }
 
 TEST(CurveCsv, HeadingsCommentsBlanksSeparatorsAndByteOrderMarksAreAccepted) {

@@ -1,5 +1,6 @@
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "cli/commands.h"
@@ -27,12 +28,15 @@ struct CostOptions {
     double accuracy = 0.0;
 };
 
-const PlannedLut& lut_named(const Plan& plan, const std::string& name) {
-    if (name.empty()) return plan.luts.front();
+// The LUT of that name, and the scene that it is of: a scene with variants is several.
+std::pair<const LoadedScene*, const PlannedLut*> lut_named(const std::vector<LoadedScene>& scenes,
+                                                           const std::string& name) {
     std::vector<std::string> known;
-    for (const PlannedLut& lut : plan.luts) {
-        if (lut.name == name) return lut;
-        known.push_back(lut.name);
+    for (const LoadedScene& scene : scenes) {
+        for (const PlannedLut& lut : scene.plan.luts) {
+            if (name.empty() || lut.name == name) return {&scene, &lut};
+            known.push_back(lut.name);
+        }
     }
     throw Error("--lut " + in_quotes(name) + ": the scene has no LUT of that name; known: " + known_like(name, known));
 }
@@ -41,9 +45,9 @@ int run_cost(const CostOptions& options, Console& console) {
     SceneRequest request = scene_request(options.ocio, console);
     request.want_swatches = false;
     const std::vector<LoadedScene> scenes = open_scenes({options.scene}, request, console);
-    const LoadedScene& scene = scenes.front();
-    const PlannedLut& lut = lut_named(scene.plan, options.lut);
-    const ColourSpace& space = scene.space_of(lut.colour);
+    const auto [scene, named] = lut_named(scenes, options.lut);
+    const PlannedLut& lut = *named;
+    const ColourSpace& space = scene->space_of(lut.colour);
     if (!space.has_inverse()) {
         throw Error(lut.where.text() + " " + lut.name + ": space " + space.name() +
                     " has no inverse to XYZ, so no error can be measured in it; name another space");

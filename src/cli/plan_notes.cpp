@@ -16,6 +16,11 @@
 namespace nacre {
 namespace {
 
+// A material as it is called in the variant that the scene is of.
+std::string called(const std::string& material, const LoadedScene& scene) {
+    return scene.plan.variant.empty() ? material : scene.plan.variant + ": " + material;
+}
+
 // What picked colours became.
 void note_picked(const LoadedScene& scene, Console& console) {
     for (const SceneMaterial& material : scene.plan.materials) {
@@ -26,14 +31,15 @@ void note_picked(const LoadedScene& scene, Console& console) {
                        ", width_nm = " + significant_text(picked.lobe->width_nm, 6) +
                        ", height = " + significant_text(picked.lobe->height, 4) + ",";
             }
-            console.summary(material.name + ": " + picked.text + " at " + number_text(picked.angle_deg) + " deg" +
-                            band + (picked.lobe ? " " : ": ") + match_text(picked));
+            console.summary(called(material.name, scene) + ": " + picked.text + " at " + number_text(picked.angle_deg) +
+                            " deg" + band + (picked.lobe ? " " : ": ") + match_text(picked));
         }
     }
     for (const MaterialSearch& search : scene.plan.searches) {
         if (search.search.free.empty()) continue;
         for (std::size_t i = 0; i < search.found.size(); ++i)
-            console.summary(search.material + ": " + (i == 0 ? "found " : "or    ") + answer_text(search, i));
+            console.summary(called(search.material, scene) + ": " + (i == 0 ? "found " : "or    ") +
+                            answer_text(search, i));
     }
 }
 
@@ -47,7 +53,7 @@ void note_shapes(const LoadedScene& scene, Console& console) {
             misses += (i == 0 ? "" : ", ") + significant_text(material.shape_fit->de00[i], 2) + " at " +
                       number_text(picks[i].angle_deg) + " deg";
         }
-        console.summary(material.name + ": shape = " + number_text(material.shape_fit->shape) +
+        console.summary(called(material.name, scene) + ": shape = " + number_text(material.shape_fit->shape) +
                         " fits its picks best; straight lines would miss them by CIEDE2000 " + misses);
     }
 }
@@ -60,7 +66,7 @@ void note_clamps(const LoadedScene& scene, Console& console) {
         const ClampBounds bounds = palette_clamp_bounds(*palette);
         const auto note = [&](const char* side, const std::optional<double>& angle_deg) {
             if (!angle_deg) return;
-            console.summary(material.name + ": clamped " + side + " " + short_number(*angle_deg) +
+            console.summary(called(material.name, scene) + ": clamped " + side + " " + short_number(*angle_deg) +
                             " deg, where its picks lead to a reflectance outside 0 to 1, or a width below 0");
         };
         note("below", bounds.below_deg);
@@ -74,7 +80,7 @@ void note_edges(const LoadedScene& scene, Console& console) {
         const auto* spectra = std::get_if<MeasuredSpectra>(&material.mechanism);
         if (spectra == nullptr) continue;
         const auto range = [](double first, double last) { return number_text(first) + " to " + number_text(last); };
-        console.summary(material.name + ": measured from " +
+        console.summary(called(material.name, scene) + ": measured from " +
                         range(spectra->wavelength_nm.front(), spectra->wavelength_nm.back()) + " nm and " +
                         range(spectra->angle_deg.front(), spectra->angle_deg.back()) +
                         " deg; outside, the nearest measurement is held");

@@ -3,9 +3,12 @@
 #include "pipeline/loaded_scene.h"
 
 #include <algorithm>
+#include <map>
+#include <memory>
 #include <utility>
 
 #include "io/scene/scene_file.h"
+#include "io/scene/variants.h"
 #include "nacre/base/error.h"
 #include "nacre/lut/formats.h"
 #include "nacre/lut/gamut.h"
@@ -14,6 +17,7 @@
 #include "nacre/scene/planned_swatch.h"
 #include "nacre/scene/table.h"
 #include "pipeline/picked_colours.h"
+#include "pipeline/plan_variants.h"
 
 namespace nacre {
 namespace {
@@ -65,14 +69,10 @@ bool asks_for_png(const PlannedLut& lut) {
     return std::find(lut.outputs.begin(), lut.outputs.end(), LutOutput::png) != lut.outputs.end();
 }
 
-Plan plan_table(Table table, const std::string& path, const SceneRequest& request) {
-    for (const SceneEdit& edit : request.edits) set_key(table, edit);
+Plan plan_table(const Table& table, const std::string& path, const SceneRequest& request) {
     Plan plan =
         plan_scene(table, scene_files_with_colours(path, request.config, request.open_colours, request.after_step),
                    {request.only, request.all_materials, request.strict});
-    for (PlannedLut& lut : plan.luts) {
-        for (const SceneEdit& edit : request.edits) lut.edits.push_back(edit_text(edit));
-    }
     if (request.on_warning) {
         for (const std::string& warning : plan.warnings) request.on_warning(warning);
     }
@@ -99,6 +99,39 @@ LoadedScene with_colours(Plan plan, const std::string& path, const SceneRequest&
     return scene;
 }
 
+// Opens each config once for all variants of a scene.
+OpenColourSpaces opened_once(const OpenColourSpaces& open) {
+    using Key = std::pair<std::string, std::string>;
+    const auto opened = std::make_shared<std::map<Key, std::shared_ptr<const ColourSpaces>>>();
+    return [open, opened](const ColourConfigChoice& choice) {
+        auto& spaces = (*opened)[Key(choice.path, choice.interchange)];
+        if (spaces == nullptr) spaces = open(choice);
+        return spaces;
+    };
+}
+
+// One scene, or one per variant.
+std::vector<LoadedScene> load_file(const std::string& path, const SceneRequest& asked) {
+    Table table = read_scene_file(path);
+    for (const SceneEdit& edit : asked.edits) set_key(table, edit);
+    SceneRequest request = asked;
+    request.open_colours = opened_once(asked.open_colours);
+    const auto plan = [&](const Table& scene, const SceneRequest& own) {
+        Plan planned = plan_table(scene, path, own);
+        add_edits(planned, own.edits);
+        return planned;
+    };
+    const std::vector<Variant> variants = read_variants(table);
+    std::vector<LoadedScene> scenes;
+    if (variants.empty()) {
+        scenes.push_back(with_colours(plan(table, request), path, request));
+        return scenes;
+    }
+    for (Plan& one : plan_variants(table, variants, request, plan))
+        scenes.push_back(with_colours(std::move(one), path, request));
+    return scenes;
+}
+
 }  // namespace
 
 Plan plan_file(const std::string& path, const SceneRequest& request) {
@@ -109,10 +142,6 @@ Plan plan_text(const std::string& text, const std::string& name, const SceneRequ
     return plan_table(parse_scene(text, name), name, request);
 }
 
-LoadedScene load_scene(const std::string& path, const SceneRequest& request) {
-    return with_colours(plan_file(path, request), path, request);
-}
-
 LoadedScene load_scene_text(const std::string& text, const std::string& name, const SceneRequest& request) {
     return with_colours(plan_text(text, name, request), name, request);
 }
@@ -121,8 +150,10 @@ std::vector<LoadedScene> load_scenes(const std::vector<std::string>& paths, cons
     std::vector<LoadedScene> scenes;
     OutputNames names;
     for (const std::string& path : paths) {
-        scenes.push_back(load_scene(path, request));
-        names.claim(scenes.back().plan);
+        for (LoadedScene& scene : load_file(path, request)) {
+            names.claim(scene.plan);
+            scenes.push_back(std::move(scene));
+        }
     }
     return scenes;
 }

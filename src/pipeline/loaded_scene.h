@@ -45,17 +45,16 @@ struct LoadedScene {
     const ColourSpace& space_of(const LutColour& colour) const { return *spaces.at(colour.space); }
 };
 
-/// Reads and plans a scene file, without its colour space.
+/// Reads and plans a scene file, without its colour space and its variants.
 Plan plan_file(const std::string& path, const SceneRequest& request);
 
 /// The same of text that is in memory.
 /// @param name  what messages call it
 Plan plan_text(const std::string& text, const std::string& name, const SceneRequest& request);
 
-LoadedScene load_scene(const std::string& path, const SceneRequest& request);
 LoadedScene load_scene_text(const std::string& text, const std::string& name, const SceneRequest& request);
 
-/// All of them; throws Error if two scenes would write one file.
+/// All of them; a scene with variants is one scene per variant. Throws Error if two would write one file.
 std::vector<LoadedScene> load_scenes(const std::vector<std::string>& paths, const SceneRequest& request);
 
 }  // namespace nacre

@@ -335,6 +335,26 @@ TEST(Bake, SetIsAnOptionOfBakePlanAndSwatchAndItsMistakesAreWrongInput) {
     }
 }
 
+TEST(Bake, VariantsOfACsvAreLutsThatVerifyAndAContactSheet) {
+    const TemporaryFolder folder;
+    folder.file("looks.csv", "name,material.morpho.picks[0].peak_nm,accuracy.max_de00\nblue,,\ngreen,530,0.5\n");
+    folder.file("s.toml",
+                "variants = \"looks.csv\"\n" + std::string(two_picks) + "[swatch.looks]\ndraw = \"contact_sheet\"\n");
+    const ProgramResult result = bake(folder, {});
+    ASSERT_EQ(result.exit_code, 0) << result.err;
+    for (const char* file : {"blue.exr", "blue.json", "green.exr", "green.json", "looks.png"})
+        EXPECT_TRUE(std::filesystem::exists(folder.path() / "out" / file)) << file;
+    EXPECT_FALSE(std::filesystem::exists(folder.path() / "out/morpho.exr")) << "the scene itself is no variant";
+    for (const std::string name : {"blue", "green"})
+        EXPECT_EQ(run_nacre({"verify", (folder.path() / ("out/" + name + ".exr")).string()}).exit_code, 0) << name;
+    const LutHeader header = read_lut((folder.path() / "out/green.exr").string()).header;
+    EXPECT_EQ(header.value("edits"), "material.morpho.picks[0].peak_nm = 530, accuracy.max_de00 = 0.5");
+    EXPECT_EQ(header.value("accuracyAsked"), "0.5");
+    EXPECT_EQ(read_lut((folder.path() / "out/blue.exr").string()).header.value("edits"), "");
+    EXPECT_EQ(bake(folder, {"--only", "gren"}).err,
+              "nacre: --only \"gren\": the scenes have no LUT or swatch of that name; known: green\n");
+}
+
 TEST(Bake, CompressIntoEveryLinearSpaceVerifies) {
     const TemporaryFolder folder;
     for (const std::string space : {"lin_ap1", "lin_ap0", "lin_rec2020", "lin_p3d65"}) {

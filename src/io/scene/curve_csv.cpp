@@ -24,14 +24,32 @@ std::string_view trimmed(std::string_view text) {
     return text.substr(begin, text.find_last_not_of(blanks) - begin + 1);
 }
 
-std::string_view unquoted(std::string_view text) {
-    return text.size() >= 2 && text.front() == '"' && text.back() == '"' ? text.substr(1, text.size() - 2) : text;
+// "a ""b"" c" in quotes is a "b" c.
+std::string unquoted(std::string_view text) {
+    if (text.size() < 2 || text.front() != '"' || text.back() != '"') return std::string(text);
+    std::string plain;
+    for (std::size_t i = 1; i + 1 < text.size(); ++i) {
+        plain += text[i];
+        if (text[i] == '"' && text[i + 1] == '"') ++i;
+    }
+    return plain;
+}
+
+// Where a field ends: at the next separator outside quotes, or at any if a quote is left open.
+std::size_t end_of_field(std::string_view content, std::size_t begin) {
+    constexpr std::string_view separators = ",;\t";
+    bool is_quoted = false;
+    for (std::size_t i = begin; i < content.size(); ++i) {
+        if (content[i] == '"') is_quoted = !is_quoted;
+        if (!is_quoted && separators.find(content[i]) != std::string_view::npos) return i;
+    }
+    return is_quoted ? content.find_first_of(separators, begin) : std::string_view::npos;
 }
 
 CsvRow split(int line, std::string_view content) {
     CsvRow row{line, {}, {}};
     for (std::size_t begin = 0;;) {
-        const std::size_t end = content.find_first_of(",;\t", begin);
+        const std::size_t end = end_of_field(content, begin);
         row.fields.emplace_back(unquoted(trimmed(content.substr(begin, end - begin))));
         row.columns.push_back(static_cast<int>(begin) + 1);
         if (end == std::string_view::npos) return row;

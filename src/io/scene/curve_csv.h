@@ -15,8 +15,8 @@ struct CsvRow {
     std::vector<int> columns;         ///< where each field begins in its line, from 1
 };
 
-/// Separators: comma, semicolon or tab. A byte order mark and CRLF are accepted. Throws IoError, or Error beyond
-/// 1 000 000 rows.
+/// Separators: comma, semicolon or tab, outside quotes. A byte order mark and CRLF are accepted. Throws IoError, or
+/// Error beyond 1 000 000 rows.
 std::vector<CsvRow> read_csv(const std::string& path);
 
 /// The number in a field. Throws Error, naming the file, the line and the text, if it is not a finite number.

@@ -32,6 +32,10 @@ void throw_mistakes(const Table& table) {
     for (Mistake& mistake : mistakes) {
         if (known.insert(mistake.text).second) lines.push_back(std::move(mistake.text));
     }
+    throw_lines(lines);
+}
+
+void throw_lines(const std::vector<std::string>& lines) {
     if (lines.empty()) return;
     std::string message = lines.front();
     for (std::size_t i = 1; i < std::min(lines.size(), most_shown_mistakes); ++i) message += "\n" + lines[i];

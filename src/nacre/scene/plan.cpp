@@ -139,6 +139,7 @@ bool PlanRequest::wants(const std::string& name) const {
 
 Plan plan_scene(const Table& scene, const SceneFiles& files, const PlanRequest& request) {
     check_version(scene);
+    scene.skip("variants");  // each of them is a scene of its own
     AccuracySettings accuracy;
     attempt(scene, scene.where(), [&] { accuracy = read_accuracy(scene.table("accuracy")); });
     const std::shared_ptr<const Light> light = plan_light(scene, accuracy, files.read_curve);

@@ -56,6 +56,15 @@ void show_material(const Table& table, const SceneParts& parts, PlannedSwatch& s
     swatch.jobs = {Job(swatch.jobs[static_cast<std::size_t>(pick)])};
 }
 
+// A contact sheet: all LUTs of the scene, whichever are wanted.
+void show_all_luts(const Table& table, const SceneParts& parts, PlannedSwatch& swatch) {
+    swatch.panels = read_word(table, "panels", "panels", sheet_words);
+    for (PlannedLut& lut : plan_luts(parts, {}).luts) {
+        swatch.labels.push_back(lut.name);
+        swatch.jobs.push_back(std::move(lut.job));
+    }
+}
+
 // @return nothing if there are mistakes
 std::optional<PlannedSwatch> read_swatch(const Table& table, const Table::Entry& entry, const SceneParts& parts,
                                          const std::vector<std::string>& lut_names) {
@@ -70,12 +79,15 @@ std::optional<PlannedSwatch> read_swatch(const Table& table, const Table::Entry&
     swatch.gamut = read_word(table, "gamut", "gamut", swatch_gamut_words);
     const bool may_show_lut = swatch.kind == SwatchKind::strip || swatch.kind == SwatchKind::sphere;
     const Value* lut = may_show_lut ? table.find("lut") : nullptr;
-    if (lut != nullptr) {
+    if (swatch.kind == SwatchKind::contact_sheet) {
+        show_all_luts(table, parts, swatch);
+    } else if (lut != nullptr) {
         show_lut(table, *lut, parts, lut_names, swatch);
     } else {
         show_material(table, parts, swatch);
     }
-    swatch.title = table.text_or("title", swatch.jobs.empty() ? "" : swatch.jobs.front().material.name);
+    const bool shows_one = swatch.kind != SwatchKind::contact_sheet && !swatch.jobs.empty();
+    swatch.title = table.text_or("title", shows_one ? swatch.jobs.front().material.name : swatch.name);
     table.expect_all_read();
     if (swatch.jobs.empty() || !table.is_good()) return {};
     return swatch;

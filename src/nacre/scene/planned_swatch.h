@@ -15,7 +15,7 @@
 namespace nacre {
 
 /// What a swatch shows: see [swatch.NAME] in the documentation of scenes.
-enum class SwatchKind { plane, palette, strip, sphere, picks };
+enum class SwatchKind { plane, palette, strip, sphere, picks, contact_sheet };
 
 inline constexpr std::array swatch_words{
     Word<SwatchKind>{"plane", SwatchKind::plane, "peak wavelength against angle, with the picks"},
@@ -23,6 +23,13 @@ inline constexpr std::array swatch_words{
     Word<SwatchKind>{"strip", SwatchKind::strip, "the LUT with its axis"},
     Word<SwatchKind>{"sphere", SwatchKind::sphere, "a lit ball"},
     Word<SwatchKind>{"picks", SwatchKind::picks, "picked colours beside those that are reached"},
+    Word<SwatchKind>{"contact_sheet", SwatchKind::contact_sheet, "all LUTs of the scene, or of its variants, labelled"},
+};
+
+/// What a contact sheet shows of each LUT.
+inline constexpr std::array sheet_words{
+    Word<SwatchKind>{"strip", SwatchKind::strip, "the LUT with its axis"},
+    Word<SwatchKind>{"sphere", SwatchKind::sphere, "a lit ball"},
 };
 
 /// The same for pictures, which have to show something.
@@ -36,10 +43,12 @@ struct PlannedSwatch {
     std::string name;
     SwatchKind kind = SwatchKind::strip;
     std::string title;
-    std::vector<Job> jobs;             ///< plane, strip, sphere: one; palette: one per pick shown
-    std::vector<PickedColour> picked;  ///< of the material, those that were given as colours
-    LutColour colour;                  ///< of the LUT that it shows, or of the scene
-    std::string display;               ///< empty: the config's default
+    std::vector<Job> jobs;  ///< plane, strip, sphere: one; palette: one per pick shown; contact sheet: one per LUT
+    std::vector<std::string> labels;        ///< of a contact sheet, one per job
+    SwatchKind panels = SwatchKind::strip;  ///< of a contact sheet: strip or sphere
+    std::vector<PickedColour> picked;       ///< of the material, those that were given as colours
+    LutColour colour;                       ///< of the LUT that it shows, or of the scene
+    std::string display;                    ///< empty: the config's default
     std::string view;
     Gamut gamut = Gamut::compress;  ///< compress or clip: how colours that an sRGB display lacks are shown
     Where where;
@@ -49,7 +58,7 @@ struct PlannedSwatch {
 ///
 /// plane: peak wavelength (x) against angle (y). palette: width (x) against height (y), one job per pick, at the pick's
 /// angle and with that pick as its material's only one. strip, sphere and picks: the default LUT, finely
-/// sampled.
+/// sampled. A contact sheet shows LUTs and no material.
 std::vector<Job> swatch_jobs(SwatchKind kind, const Material& material, const std::shared_ptr<const Light>& light);
 
 }  // namespace nacre

@@ -74,6 +74,7 @@ std::vector<Job> swatch_jobs(SwatchKind kind, const Material& material, const st
         case SwatchKind::strip:
         case SwatchKind::sphere:
         case SwatchKind::picks:
+        case SwatchKind::contact_sheet:
             break;
     }
     job.x = default_axis(quantity_of(material.mechanism));

@@ -19,6 +19,7 @@
 #include "nacre/swatch/swatch_gamut.h"
 #include "nacre/swatch/swatch_layout.h"
 #include "nacre/swatch/swatch_picks.h"
+#include "nacre/swatch/swatch_sheet.h"
 #include "nacre/swatch/swatch_sphere.h"
 
 namespace nacre {
@@ -291,6 +292,8 @@ Swatch draw_swatch(const PlannedSwatch& swatch, const LutSpace& space) {
             return draw_sphere(swatch);
         case SwatchKind::picks:
             return draw_picks(swatch);
+        case SwatchKind::contact_sheet:
+            return draw_sheet(swatch, space);
     }
     return {};
 }

@@ -43,6 +43,7 @@ PlannedSwatch planned(SwatchKind kind, const Material& material) {
     swatch.kind = kind;
     swatch.title = material.name;
     swatch.jobs = swatch_jobs(kind, material, daylight());
+    swatch.labels.assign(swatch.jobs.size(), material.name);
     return swatch;
 }
 

@@ -15,7 +15,6 @@
 #include "nacre/optics/incidence.h"
 #include "nacre/optics/lobe.h"
 #include "nacre/optics/palette.h"
-#include "nacre/scene/planned_swatch.h"
 #include "nacre/swatch/swatch_gamut.h"
 #include "nacre/swatch/swatch_layout.h"
 #include "nacre/swatch/swatch_picks.h"

@@ -110,10 +110,14 @@ OpenColourSpaces opened_once(const OpenColourSpaces& open) {
     };
 }
 
+Table edited(Table table, const SceneRequest& request) {
+    for (const SceneEdit& edit : request.edits) set_key(table, edit);
+    return table;
+}
+
 // One scene, or one per variant.
 std::vector<LoadedScene> load_file(const std::string& path, const SceneRequest& asked) {
-    Table table = read_scene_file(path);
-    for (const SceneEdit& edit : asked.edits) set_key(table, edit);
+    const Table table = edited(read_scene_file(path), asked);
     SceneRequest request = asked;
     request.open_colours = opened_once(asked.open_colours);
     const auto plan = [&](const Table& scene, const SceneRequest& own) {
@@ -135,11 +139,11 @@ std::vector<LoadedScene> load_file(const std::string& path, const SceneRequest& 
 }  // namespace
 
 Plan plan_file(const std::string& path, const SceneRequest& request) {
-    return plan_table(read_scene_file(path), path, request);
+    return plan_table(edited(read_scene_file(path), request), path, request);
 }
 
 Plan plan_text(const std::string& text, const std::string& name, const SceneRequest& request) {
-    return plan_table(parse_scene(text, name), name, request);
+    return plan_table(edited(parse_scene(text, name), request), name, request);
 }
 
 LoadedScene load_scene_text(const std::string& text, const std::string& name, const SceneRequest& request) {

@@ -35,20 +35,32 @@ bool is_sheet(const PlannedSwatch& swatch) {
     return swatch.kind == SwatchKind::contact_sheet;
 }
 
+// What the name of the variant replaces: the name of the only LUT, or "hero" of the two polarisations hero_s and
+// hero_p. Empty if there are several.
+std::string only_name(const std::vector<PlannedLut>& luts) {
+    if (luts.size() == 1) return luts.front().name;
+    if (luts.size() != 2 || !luts.front().name.ends_with("_s") || !luts.back().name.ends_with("_p")) return {};
+    const auto name_of = [](const PlannedLut& lut) { return lut.name.substr(0, lut.name.size() - 2); };
+    return name_of(luts.front()) == name_of(luts.back()) ? name_of(luts.front()) : std::string();
+}
+
 // Gives everything in the plan its name in the variant.
 void rename(Plan& plan, const Variant& variant) {
-    const bool is_single = plan.luts.size() == 1;
+    const std::string only = only_name(plan.luts);
     const auto renamed = [&](const std::string& name) { return variant.name + "_" + name; };
+    const auto renamed_lut = [&](const std::string& name) {
+        return only.empty() ? renamed(name) : variant.name + name.substr(only.size());
+    };
     plan.variant = variant.name;
     plan.names.clear();
     for (PlannedLut& lut : plan.luts) {
-        lut.name = is_single ? variant.name : renamed(lut.name);
+        lut.name = renamed_lut(lut.name);
         lut.where = variant.where;
         plan.names.push_back(lut.name);
     }
     for (PlannedSwatch& swatch : plan.swatches) {
         if (!is_sheet(swatch)) swatch.name = renamed(swatch.name);
-        for (std::string& label : swatch.labels) label = is_single ? variant.name : renamed(label);
+        for (std::string& label : swatch.labels) label = renamed_lut(label);
         plan.names.push_back(swatch.name);
     }
 }

@@ -15,9 +15,9 @@ using PlanTable = std::function<Plan(const Table& scene, const SceneRequest& req
 
 /// A plan for each variant: of a scene of its own, which is the given one with the edits of the variant.
 ///
-/// Its LUT has the name of the variant; of several LUTs each is named VARIANT_LUT, and so is each swatch. A contact
-/// sheet keeps its name, belongs to the first plan and shows the LUTs of all variants. Throws one Error with the
-/// mistakes of all variants, each once.
+/// Its LUT has the name of the variant, its polarisations VARIANT_s and VARIANT_p; of several LUTs each is named
+/// VARIANT_LUT, and so is each swatch. A contact sheet keeps its name, belongs to the first plan and shows the LUTs of
+/// all variants. Throws one Error with the mistakes of all variants, each once.
 /// @param request  `only` are the new names
 std::vector<Plan> plan_variants(const Table& scene, const std::vector<Variant>& variants, const SceneRequest& request,
                                 const PlanTable& plan_table);

@@ -407,6 +407,19 @@ TEST(Bake, PicturesOfALutShowWhereItLeavesItsSpace) {
     }
 }
 
+TEST(Bake, PictureOfALutShowsWhereItLeavesItsOwnSpace) {
+    const TemporaryFolder folder;
+    folder.file("s.toml", std::string(two_picks) +
+                              "[lut.narrow]\nsize = 64\n[lut.wide]\nsize = 64\nspace = \"lin_ciexyzd65_display\"\n"
+                              "[swatch.of_narrow]\ndraw = \"strip\"\nlut = \"narrow\"\n"
+                              "[swatch.of_wide]\ndraw = \"strip\"\nlut = \"wide\"\n");
+    ASSERT_EQ(bake(folder, {}).exit_code, 0);
+    const auto height = [&](const char* file) {
+        return OIIO::ImageInput::open((folder.path() / "out" / file).string())->spec().height;
+    };
+    EXPECT_GT(height("of_narrow.png"), height("of_wide.png")) << "by the line that says how much is outside";
+}
+
 TEST(Bake, LutThatItsFormatCannotHoldFailsAloneAndTheOthersAreWritten) {
     const TemporaryFolder folder;
     // A space a million times as bright as ACES2065-1: beyond what half holds.

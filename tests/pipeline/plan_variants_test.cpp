@@ -40,7 +40,8 @@ Opened opened(const std::string& scene, std::vector<std::string> only = {}, std:
     for (const LoadedScene& one : result.scenes) {
         for (const PlannedLut& lut : one.plan.luts) {
             result.luts.push_back(lut.name);
-            result.peaks_nm.push_back(std::get<Palette>(lut.job.material.mechanism).picks.front().lobe.peak_nm);
+            if (const auto* palette = std::get_if<Palette>(&lut.job.material.mechanism))
+                result.peaks_nm.push_back(palette->picks.front().lobe.peak_nm);
         }
         for (const PlannedSwatch& swatch : one.plan.swatches) result.swatches.push_back(swatch.name);
         result.names.insert(result.names.end(), one.plan.names.begin(), one.plan.names.end());
@@ -62,6 +63,13 @@ TEST(PlanVariants, NamesSeveralLutsAndSwatchesAfterTheVariantAndThemselves) {
     const Opened result = opened(hero + "[lut.a]\n[lut.b]\n[swatch.ball]\ndraw = \"sphere\"\n");
     EXPECT_EQ(result.luts, (Names{"red_a", "red_b", "green_a", "green_b"}));
     EXPECT_EQ(result.swatches, (Names{"red_ball", "green_ball"}));
+}
+
+TEST(PlanVariants, PolarisationsOfTheOnlyLutAreThoseOfTheVariant) {
+    const Opened result = opened(
+        "[material.hero]\nmechanism = \"film\"\nindex = 1.5\nthickness_nm = 300\n"
+        "polarisation = \"both\"\n[variants]\nthick = { material.hero.thickness_nm = 500 }\n");
+    EXPECT_EQ(result.scenes.front().plan.names, (Names{"thick_s", "thick_p"}));
 }
 
 TEST(PlanVariants, ContactSheetShowsTheLutsOfAllVariantsOnce) {
@@ -104,12 +112,13 @@ TEST(PlanVariants, MistakesOfAllVariantsAreReportedOnceEach) {
         }
         return std::string("was accepted");
     };
-    EXPECT_EQ(message_of(hero + "blue = { \"material.heor.shape\" = 1 }\npale = { accuracy.max_de00 = 0 }\n"
-                                "[light]\nilluminant = \"D66\"\n"),
-              "s.toml:9:14 [light]: unknown illuminant \"D66\"; known: D65, D50, D55, D75, A, E, FL2, FL7, FL11, or the name "
-              "of a .csv file of wavelength_nm,power\n"
-              "s.toml:6:34: s.toml has no material.heor; known in material: hero\n"
-              "s.toml:7:30 [accuracy]: max_de00 = 0 is out of range; allowed [1e-05, 100]");
+    EXPECT_EQ(
+        message_of(hero + "blue = { \"material.heor.shape\" = 1 }\npale = { accuracy.max_de00 = 0 }\n"
+                          "[light]\nilluminant = \"D66\"\n"),
+        "s.toml:9:14 [light]: unknown illuminant \"D66\"; known: D65, D50, D55, D75, A, E, FL2, FL7, FL11, or the name "
+        "of a .csv file of wavelength_nm,power\n"
+        "s.toml:6:34: s.toml has no material.heor; known in material: hero\n"
+        "s.toml:7:30 [accuracy]: max_de00 = 0 is out of range; allowed [1e-05, 100]");
     EXPECT_EQ(message_of(hero + "RED = {}\n"),
               "s.toml:6:1: this would write RED.exr, and so would s.toml:4:1; rename one of them");
 }

@@ -81,6 +81,8 @@ std::string comment_on(const PickedColour& picked) {
     return "peak_nm = " + significant_text(picked.lobe->peak_nm, 5) +
            ", width_nm = " + significant_text(picked.lobe->width_nm, 4) +
            ", height = " + significant_text(picked.lobe->height, 3) +
+           (picked.lobe->floor != 0.0 ? ", floor = " + significant_text(picked.lobe->floor, 3) : "") +
+           (picked.lobe->flatness != 0.0 ? ", flatness = " + significant_text(picked.lobe->flatness, 3) : "") +
            (picked.is_met() ? std::string(", exact") : ", dE00 " + significant_text(picked.de00, 3));
 }
 

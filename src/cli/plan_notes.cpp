@@ -29,7 +29,10 @@ void note_picked(const LoadedScene& scene, Console& console) {
             if (picked.lobe) {
                 band = " is the band peak_nm = " + significant_text(picked.lobe->peak_nm, 6) +
                        ", width_nm = " + significant_text(picked.lobe->width_nm, 6) +
-                       ", height = " + significant_text(picked.lobe->height, 4) + ",";
+                       ", height = " + significant_text(picked.lobe->height, 4);
+                if (picked.lobe->floor != 0.0) band += ", floor = " + significant_text(picked.lobe->floor, 4);
+                if (picked.lobe->flatness != 0.0) band += ", flatness = " + significant_text(picked.lobe->flatness, 4);
+                band += ",";
             }
             console.summary(called(material.name, scene) + ": " + picked.text + " at " + number_text(picked.angle_deg) +
                             " deg" + band + (picked.lobe ? " " : ": ") + match_text(picked));

@@ -89,17 +89,18 @@ Json axis_json(const Axis& axis) {
 }
 
 Json picked_json(const PickedColour& picked) {
-    static constexpr std::array misses{"exact", "too bright", "too saturated"};
     Json json{{"pick", picked.pick}, {"angle_deg", picked.angle_deg}, {"colour", picked.text}};
     if (picked.lobe) {
         json["peak_nm"] = picked.lobe->peak_nm;
         json["width_nm"] = picked.lobe->width_nm;
         json["height"] = picked.lobe->height;
+        json["floor"] = picked.lobe->floor;
+        json["flatness"] = picked.lobe->flatness;
+        json["shown_luminance"] = picked.shown.luminance;
+        json["shown_chroma"] = picked.shown.chroma;
     }
     json["de00"] = rounded_up(picked.de00);
-    json["match"] = picked.lobe       ? misses[static_cast<std::size_t>(picked.lobe->miss)]
-                    : picked.is_met() ? "met"
-                                      : "missed";
+    json["match"] = picked.is_met() ? (picked.lobe ? "exact" : "met") : (picked.lobe ? "dimmed" : "missed");
     return json;
 }
 

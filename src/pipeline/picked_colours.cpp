@@ -4,7 +4,6 @@
 #include <memory>
 #include <utility>
 
-#include "io/ceres_solver.h"
 #include "io/scene/scene_file.h"
 #include "nacre/base/error.h"
 #include "nacre/lut/colour_settings.h"
@@ -67,7 +66,6 @@ SceneFiles scene_files_with_colours(const std::string& scene_path, const std::st
                                   const ColourSettings& settings) {
         return colours->xyz(colour, space, where, settings);
     };
-    files.least_squares = least_squares_solver();
     files.find_mechanisms = [after_step](const MechanismSearch& search, const Light& light) {
         return find_with_materials(search, light, after_step);
     };

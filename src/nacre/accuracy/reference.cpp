@@ -91,21 +91,36 @@ Xyz Reference::weight_at(double nm) const {
 
 Xyz Reference::integral(const Lobe& lobe) const {
     const LightSettings& light = job_.light->settings;
-    const double from_nm = std::max(lobe.peak_nm - 0.5 * lobe.width_nm, static_cast<double>(light.first_nm));
-    const double to_nm = std::min(lobe.peak_nm + 0.5 * lobe.width_nm, static_cast<double>(light.last_nm));
-    if (!(from_nm < to_nm)) return {};
-    // The cosine of a narrow band bends within a nanometre.
-    const double longest_nm = std::min(1.0, 0.125 * (to_nm - from_nm));
+    const double first_nm = light.first_nm;
+    const double last_nm = light.last_nm;
     Xyz sum;
-    for (double left = from_nm; left < to_nm;) {
-        const double right = std::min({std::floor(left) + 1.0, to_nm, left + longest_nm});
-        if (!(right > left)) break;  // the rest is narrower than a double resolves
-        for (const QuadratureNode& node : quadrature) {
-            const double nm = left + node.at * (right - left);
-            sum = plus(sum, node.share * (right - left) * lobe_reflectance(lobe, nm), weight_at(nm));
+    const auto add = [&](double from_nm, double to_nm) {
+        from_nm = std::max(from_nm, first_nm);
+        to_nm = std::min(to_nm, last_nm);
+        // The cosine of a narrow band bends within a nanometre.
+        const double longest_nm = std::min(1.0, 0.125 * (to_nm - from_nm));
+        for (double left = from_nm; left < to_nm;) {
+            const double right = std::min({std::floor(left) + 1.0, to_nm, left + longest_nm});
+            if (!(right > left)) break;  // the rest is narrower than a double resolves
+            for (const QuadratureNode& node : quadrature) {
+                const double nm = left + node.at * (right - left);
+                sum = plus(sum, node.share * (right - left) * lobe_reflectance(lobe, nm), weight_at(nm));
+            }
+            left = right;
         }
-        left = right;
+    };
+    // Piece by piece, because the slope jumps where a shoulder begins and ends.
+    const double half_nm = 0.5 * lobe.width_nm;
+    const double half_plateau_nm = lobe.flatness * half_nm;
+    if (lobe.floor != 0.0) add(first_nm, lobe.peak_nm - half_nm);
+    if (lobe.flatness == 0.0) {
+        add(lobe.peak_nm - half_nm, lobe.peak_nm + half_nm);
+    } else {
+        add(lobe.peak_nm - half_nm, lobe.peak_nm - half_plateau_nm);
+        add(lobe.peak_nm - half_plateau_nm, lobe.peak_nm + half_plateau_nm);
+        add(lobe.peak_nm + half_plateau_nm, lobe.peak_nm + half_nm);
     }
+    if (lobe.floor != 0.0) add(lobe.peak_nm + half_nm, last_nm);
     return sum;
 }
 

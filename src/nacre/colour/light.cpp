@@ -11,7 +11,6 @@ Light make_light(LightSettings settings) {
     light.settings = std::move(settings);
     const LightSettings& s = light.settings;
     light.weights = make_tristimulus_weights(s.observer, s.power, s.first_nm, s.last_nm);
-    light.moments = make_lobe_moments(light.weights);
     if (s.wavelengths) {
         light.grid = {static_cast<double>(s.first_nm), static_cast<double>(s.last_nm), *s.wavelengths};
         light.grid_weights = make_grid_weights(light.weights, light.grid);

@@ -10,7 +10,6 @@
 #include "nacre/base/spectrum.h"
 #include "nacre/colour/adaptation.h"
 #include "nacre/colour/colour_types.h"
-#include "nacre/colour/lobe_moments.h"
 #include "nacre/colour/observer.h"
 #include "nacre/colour/tristimulus.h"
 
@@ -32,7 +31,6 @@ struct LightSettings {
 struct Light {
     LightSettings settings;
     TristimulusWeights weights;
-    LobeMoments moments;       ///< of the weights
     WavelengthGrid grid;       ///< only used if settings.wavelengths is set
     GridWeights grid_weights;  ///< likewise
     glm::dmat3 adaptation{1.0};

@@ -1,4 +1,6 @@
-// How a lobe is integrated without error.
+// How a band is integrated without error.
+//
+// A shoulder is a stretch of a cosine; a plateau is the difference of two running integrals of the weights.
 //
 // With k = pi / width, over a piece [m - d/2, m + d/2] on which the weight is W_m + s (nm - m),
 //
@@ -65,18 +67,130 @@ void add_piece(const TristimulusWeights& weights, const Piece& piece, Xyz& sum) 
     add(weights.z, sum.z);
 }
 
-struct Interval {
-    double from_nm;
-    double to_nm;  // <= from_nm when empty
-};
-
-Interval support_in_range(const TristimulusWeights& weights, double peak_nm, double width_nm) {
-    return {std::max(peak_nm - 0.5 * width_nm, static_cast<double>(weights.first_nm)),
-            std::min(peak_nm + 0.5 * width_nm, static_cast<double>(weights.last_nm))};
+Xyz plus(const Xyz& a, const Xyz& b) {
+    return {a.x + b.x, a.y + b.y, a.z + b.z};
 }
 
-Xyz scaled(Xyz colour, double factor) {
-    return {colour.x * factor, colour.y * factor, colour.z * factor};
+// b after a.
+Phasor turned(const Phasor& a, const Phasor& b) {
+    return {a.cosine * b.cosine - a.sine * b.sine, a.sine * b.cosine + a.cosine * b.sine};
+}
+
+Phasor doubled(const Phasor& a) {
+    return {1.0 - 2.0 * a.sine * a.sine, 2.0 * a.sine * a.cosine};
+}
+
+// A stretch of cos(per_nm * (nm - peak)) within the range of the weights.
+struct Arc {
+    double peak_nm;
+    double per_nm;  // of the phase
+    double from_nm;
+    double to_nm;    // <= from_nm when empty
+    Phasor at_from;  // of the phase
+    Phasor at_to;
+};
+
+// Where the arc is cut off by the range, the phase there is computed; its own ends have an exact one.
+Arc cropped(const TristimulusWeights& weights, Arc arc) {
+    const auto phase_at = [&](double nm) -> Phasor {
+        const double phase = arc.per_nm * (nm - arc.peak_nm);
+        return {std::cos(phase), std::sin(phase)};
+    };
+    if (arc.from_nm < weights.first_nm) {
+        arc.from_nm = weights.first_nm;
+        if (arc.from_nm < arc.to_nm) arc.at_from = phase_at(arc.from_nm);
+    }
+    if (arc.to_nm > weights.last_nm) {
+        arc.to_nm = weights.last_nm;
+        if (arc.from_nm < arc.to_nm) arc.at_to = phase_at(arc.to_nm);
+    }
+    return arc;
+}
+
+constexpr Phasor rising_end{0.0, -1.0};
+constexpr Phasor top{1.0, 0.0};
+constexpr Phasor falling_end{0.0, 1.0};
+
+// What a band consists of: one whole half cosine, or two shoulders (between which a plateau lies).
+struct Arcs {
+    std::array<Arc, 2> arc;
+    std::size_t count;
+};
+
+Arcs arcs_of(const TristimulusWeights& weights, const BandShape& band) {
+    const double from_nm = band.peak_nm - 0.5 * band.width_nm;
+    const double to_nm = band.peak_nm + 0.5 * band.width_nm;
+    if (band.flatness == 0.0) {
+        const double per_nm = std::numbers::pi / band.width_nm;
+        return {{cropped(weights, {band.peak_nm, per_nm, from_nm, to_nm, rising_end, falling_end})}, 1};
+    }
+    const double per_nm = std::numbers::pi / (band.width_nm - band.plateau_nm());
+    const double left_nm = band.peak_nm - 0.5 * band.plateau_nm();
+    const double right_nm = band.peak_nm + 0.5 * band.plateau_nm();
+    return {{cropped(weights, {left_nm, per_nm, from_nm, left_nm, rising_end, top}),
+             cropped(weights, {right_nm, per_nm, right_nm, to_nm, top, falling_end})},
+            2};
+}
+
+Xyz arc_to_xyz_per_cell(const TristimulusWeights& weights, const Arc& arc) {
+    Xyz sum;
+    for (double from_nm = arc.from_nm; from_nm < arc.to_nm;) {
+        const double node_nm = std::floor(from_nm);
+        const double to_nm = std::min(node_nm + 1.0, arc.to_nm);
+        const double middle_nm = 0.5 * (from_nm + to_nm);
+        const double phase = arc.per_nm * (middle_nm - arc.peak_nm);
+        const double x = 0.5 * arc.per_nm * (to_nm - from_nm);
+        add_piece(weights,
+                  make_piece(static_cast<int>(node_nm) - weights.first_nm, middle_nm - node_nm, to_nm - from_nm, x,
+                             {std::cos(x), std::sin(x)}, {std::cos(phase), std::sin(phase)}),
+                  sum);
+        from_nm = to_nm;
+    }
+    return sum;
+}
+
+Xyz arc_to_xyz(const TristimulusWeights& weights, const Arc& arc) {
+    // So that half a cell is a small angle; and an arc of a few cells has next to no whole ones anyway.
+    constexpr double steepest_per_nm = std::numbers::pi / 4.0;
+    if (!(arc.per_nm < steepest_per_nm)) return arc_to_xyz_per_cell(weights, arc);
+    if (!(arc.from_nm < arc.to_nm)) return {};  // also keeps the casts below within int
+    const int first = static_cast<int>(std::ceil(arc.from_nm));
+    const int last = static_cast<int>(std::floor(arc.to_nm));
+    if (!(first < last)) return arc_to_xyz_per_cell(weights, arc);
+
+    // The cells that the ends cut: their phases are small angles away from those of the ends.
+    const double before = first - arc.from_nm;  // lengths, in [0, 1)
+    const double after = arc.to_nm - last;
+    const double x_before = 0.5 * arc.per_nm * before;
+    const double x_after = 0.5 * arc.per_nm * after;
+    const Phasor half_before = small_phasor(x_before);
+    const Phasor half_after = small_phasor(x_after);
+    const auto back = [](const Phasor& turn) -> Phasor { return {turn.cosine, -turn.sine}; };
+    Xyz sum;
+    if (before > 0.0) {
+        add_piece(weights,
+                  make_piece(first - 1 - weights.first_nm, 1.0 - 0.5 * before, before, x_before, half_before,
+                             turned(arc.at_from, half_before)),
+                  sum);
+    }
+    if (after > 0.0) {
+        add_piece(weights,
+                  make_piece(last - weights.first_nm, 0.5 * after, after, x_after, half_after,
+                             turned(arc.at_to, back(half_after))),
+                  sum);
+    }
+    return plus(sum, integrate_whole_cells(weights, {first, last, arc.per_nm, turned(arc.at_from, doubled(half_before)),
+                                                     turned(arc.at_to, back(doubled(half_after)))}));
+}
+
+template <typename ArcToXyz>
+Xyz sum_of_arcs(const TristimulusWeights& weights, const BandShape& band, ArcToXyz to_xyz) {
+    if (!(band.width_nm > 0.0)) return {};
+    const Arcs arcs = arcs_of(weights, band);
+    Xyz sum = to_xyz(weights, arcs.arc[0]);
+    if (arcs.count == 1) return sum;
+    sum = plus(sum, to_xyz(weights, arcs.arc[1]));
+    return plus(sum, plateau_to_xyz(weights, arcs.arc[0].peak_nm, arcs.arc[1].peak_nm));
 }
 
 }  // namespace
@@ -106,77 +220,46 @@ TristimulusWeights make_tristimulus_weights(Observer observer, const SampledCurv
         for (double& value : *weight) value /= luminance;
     }
     weights.white = {integral(weights.x), 1.0, integral(weights.z)};
+    weights.cumulative.push_back({});
+    for (std::size_t i = 1; i < weights.x.size(); ++i) {
+        const Xyz& before = weights.cumulative.back();
+        weights.cumulative.push_back({before.x + 0.5 * (weights.x[i - 1] + weights.x[i]),
+                                      before.y + 0.5 * (weights.y[i - 1] + weights.y[i]),
+                                      before.z + 0.5 * (weights.z[i - 1] + weights.z[i])});
+    }
     for (auto* weight : {&weights.x, &weights.y, &weights.z}) {
         weight->insert(weight->end(), TristimulusWeights::padding, 0.0);
     }
     return weights;
 }
 
-Xyz lobe_to_xyz_per_cell(const TristimulusWeights& weights, double peak_nm, double width_nm, double height) {
-    if (!(width_nm > 0.0)) return {};
-    const double per_nm = std::numbers::pi / width_nm;
-    const Interval support = support_in_range(weights, peak_nm, width_nm);
+Xyz plateau_to_xyz(const TristimulusWeights& weights, double from_nm, double to_nm) {
+    const double from = std::max(from_nm - weights.first_nm, 0.0);
+    const double to = std::min(to_nm - weights.first_nm, static_cast<double>(weights.count() - 1));
+    if (!(from < to)) return {};
+    // From the beginning to somewhere in a cell.
+    const auto add_up_to = [&](double position, double sign, Xyz& sum) {
+        const auto cell = std::min(static_cast<std::size_t>(position), weights.cumulative.size() - 2);
+        const double t = position - static_cast<double>(cell);
+        const double right = 0.5 * t * t;  // of the weight at the cell's right end
+        const double left = t - right;
+        const Xyz& whole = weights.cumulative[cell];
+        sum.x += sign * (whole.x + left * weights.x[cell] + right * weights.x[cell + 1]);
+        sum.y += sign * (whole.y + left * weights.y[cell] + right * weights.y[cell + 1]);
+        sum.z += sign * (whole.z + left * weights.z[cell] + right * weights.z[cell + 1]);
+    };
     Xyz sum;
-    for (double from_nm = support.from_nm; from_nm < support.to_nm;) {
-        const double node_nm = std::floor(from_nm);
-        const double to_nm = std::min(node_nm + 1.0, support.to_nm);
-        const double middle_nm = 0.5 * (from_nm + to_nm);
-        const double phase = per_nm * (middle_nm - peak_nm);
-        const double x = 0.5 * per_nm * (to_nm - from_nm);
-        add_piece(weights,
-                  make_piece(static_cast<int>(node_nm) - weights.first_nm, middle_nm - node_nm, to_nm - from_nm, x,
-                             {std::cos(x), std::sin(x)}, {std::cos(phase), std::sin(phase)}),
-                  sum);
-        from_nm = to_nm;
-    }
-    return scaled(sum, height);
+    add_up_to(to, 1.0, sum);
+    add_up_to(from, -1.0, sum);
+    return sum;
 }
 
-Xyz lobe_to_xyz(const TristimulusWeights& weights, double peak_nm, double width_nm, double height) {
-    // So that half a cell is a small angle; and a lobe of a few cells has next to no whole ones anyway.
-    constexpr double few_cells_nm = 4.0;
-    if (!(width_nm > few_cells_nm)) return lobe_to_xyz_per_cell(weights, peak_nm, width_nm, height);
-    const Interval support = support_in_range(weights, peak_nm, width_nm);
-    if (!(support.from_nm < support.to_nm)) return {};  // also keeps the casts below within int
-    const int first = static_cast<int>(std::ceil(support.from_nm));
-    const int last = static_cast<int>(std::floor(support.to_nm));
-    // The range ends at whole nanometres, so a lobe that shows less than a cell is cut off on one side.
-    if (!(first < last)) return lobe_to_xyz_per_cell(weights, peak_nm, width_nm, height);
+Xyz band_to_xyz(const TristimulusWeights& weights, const BandShape& band) {
+    return sum_of_arcs(weights, band, arc_to_xyz);
+}
 
-    const double per_nm = std::numbers::pi / width_nm;
-    const double before = first - support.from_nm;  // the cut pieces' lengths, in [0, 1)
-    const double after = support.to_nm - last;
-    Xyz sum;
-    WholeCells cells{first, last, per_nm, {}, {}};
-    // At a lobe's own end its phase is -pi/2 (left) or pi/2 (right), so that all phases near it are small angles away.
-    if (peak_nm - 0.5 * width_nm >= weights.first_nm) {
-        const double x = 0.5 * per_nm * before;
-        const Phasor half = small_phasor(x);
-        cells.first_phase = {2.0 * half.sine * half.cosine, 2.0 * half.sine * half.sine - 1.0};
-        if (before > 0.0) {
-            add_piece(weights,
-                      make_piece(first - 1 - weights.first_nm, 1.0 - 0.5 * before, before, x, half,
-                                 {half.sine, -half.cosine}),
-                      sum);
-        }
-    } else {
-        const double phase = per_nm * (first - peak_nm);
-        cells.first_phase = {std::cos(phase), std::sin(phase)};
-    }
-    if (peak_nm + 0.5 * width_nm <= weights.last_nm) {
-        const double x = 0.5 * per_nm * after;
-        const Phasor half = small_phasor(x);
-        cells.last_phase = {2.0 * half.sine * half.cosine, 1.0 - 2.0 * half.sine * half.sine};
-        if (after > 0.0) {
-            add_piece(weights,
-                      make_piece(last - weights.first_nm, 0.5 * after, after, x, half, {half.sine, half.cosine}), sum);
-        }
-    } else {
-        const double phase = per_nm * (last - peak_nm);
-        cells.last_phase = {std::cos(phase), std::sin(phase)};
-    }
-    const Xyz whole = integrate_whole_cells(weights, cells);
-    return scaled({sum.x + whole.x, sum.y + whole.y, sum.z + whole.z}, height);
+Xyz band_to_xyz_per_cell(const TristimulusWeights& weights, const BandShape& band) {
+    return sum_of_arcs(weights, band, arc_to_xyz_per_cell);
 }
 
 GridWeights make_grid_weights(const TristimulusWeights& weights, const WavelengthGrid& grid) {

@@ -23,7 +23,8 @@ struct TristimulusWeights {
     std::vector<double> x;
     std::vector<double> y;
     std::vector<double> z;
-    Xyz white;  ///< what R = 1 over the whole range integrates to; white.y == 1
+    std::vector<Xyz> cumulative;  ///< the integral from first_nm to every whole nanometre
+    Xyz white;                    ///< what R = 1 over the whole range integrates to; white.y == 1
 
     /// Number of weights, the padding not counted.
     int count() const { return last_nm - first_nm + 1; }
@@ -35,17 +36,28 @@ struct TristimulusWeights {
 TristimulusWeights make_tristimulus_weights(Observer observer, const SampledCurve& illuminant, int first_nm = 360,
                                             int last_nm = 830);
 
-/// Tristimulus values of height * cos(pi (nm - peak) / width), |nm - peak| < width / 2, exactly.
+/// A reflectance band of height 1: 1 on a plateau of `flatness` times its width, and half cosines down to 0 beside it.
+struct BandShape {
+    double peak_nm = 0.0;   ///< any finite number
+    double width_nm = 0.0;  ///< from zero to zero, >= 0; 0 is black
+    double flatness = 0.0;  ///< in [0, 1); 0 is one half cosine
+
+    double plateau_nm() const { return flatness * width_nm; }
+};
+
+/// Tristimulus values of a band, exactly.
 ///
-/// Product integration: over one nanometre the weight is linear and the lobe a cosine, which has a closed form
-/// (see tristimulus.cpp). There is no sampling error at any width; rounding errors are up to 3e-14 absolute (observed).
-/// @param peak_nm,width_nm  any finite numbers, width_nm >= 0 (0 gives black)
-/// @param height            in [0, 1]
-Xyz lobe_to_xyz(const TristimulusWeights& weights, double peak_nm, double width_nm, double height);
+/// Product integration: over one nanometre the weight is linear and a shoulder a cosine, which has a closed form; a
+/// plateau takes two running integrals (see tristimulus.cpp). There is no sampling error at any width and flatness;
+/// rounding errors are up to 3e-14 absolute (observed).
+Xyz band_to_xyz(const TristimulusWeights& weights, const BandShape& band);
 
 /// The same by the closed form of every cell, one by one: the scalar reference implementation that tests and benchmarks
-/// compare lobe_to_xyz() with.
-Xyz lobe_to_xyz_per_cell(const TristimulusWeights& weights, double peak_nm, double width_nm, double height);
+/// compare band_to_xyz() with.
+Xyz band_to_xyz_per_cell(const TristimulusWeights& weights, const BandShape& band);
+
+/// Integral of the weights over a range of wavelengths, cut off where they end.
+Xyz plateau_to_xyz(const TristimulusWeights& weights, double from_nm, double to_nm);
 
 /// Weights for spectra sampled at a grid: X = sum of value[i] * x[i] (trapezium rule at the grid's nodes,
 /// weights linear between whole nanometres), normalised so that a spectrum of ones has Y = 1.

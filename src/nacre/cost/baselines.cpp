@@ -66,6 +66,7 @@ public:
     }
 
     Xyz to_xyz(const Lobe& lobe) const override {
+        if (lobe.floor != 0.0 || lobe.flatness != 0.0) return sum_of_all_nodes(lobe);
         const NodeRange nodes = nodes_under(lobe, first_nm_, step_nm_, count_);
         if (nodes.count == 0 || lobe.width_nm == 0.0) return {};
         const double per_nm = std::numbers::pi / lobe.width_nm;
@@ -90,6 +91,17 @@ public:
     }
 
 private:
+    // Where the band is more than one half cosine.
+    Xyz sum_of_all_nodes(const Lobe& lobe) const {
+        Xyz sum;
+        for (int i = 0; i < count_; ++i) {
+            const auto node = static_cast<std::size_t>(i);
+            const double r = lobe_reflectance(lobe, first_nm_ + i * step_nm_);
+            sum = {sum.x + r * x_[node], sum.y + r * y_[node], sum.z + r * z_[node]};
+        }
+        return adapt(adaptation_, sum);
+    }
+
     int first_nm_;
     int step_nm_;
     int count_ = 0;
@@ -193,7 +205,8 @@ public:
     }
 
     Xyz to_xyz(const Lobe& lobe) const override {
-        const NodeRange nodes = nodes_under(lobe, first_nm_, step_nm, static_cast<int>(power_.size()));
+        const int count = static_cast<int>(power_.size());
+        const NodeRange nodes = lobe.floor == 0.0 ? nodes_under(lobe, first_nm_, step_nm, count) : NodeRange{0, count};
         Xyz sum;
         for (int i = nodes.first; i < nodes.first + nodes.count; ++i) {
             const double nm = first_nm_ + i * step_nm;

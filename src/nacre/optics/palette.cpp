@@ -5,6 +5,7 @@
 #include <cassert>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <numbers>
 #include <optional>
 
@@ -22,8 +23,18 @@ double inner_slope(double left_step, double left_secant, double right_step, doub
     return (left_weight + right_weight) / (left_weight / left_secant + right_weight / right_secant);
 }
 
-// The three numbers that are interpolated alike.
-constexpr std::array<double Lobe::*, 3> lobe_members{&Lobe::peak_nm, &Lobe::width_nm, &Lobe::height};
+// The numbers that are interpolated alike.
+constexpr std::array lobe_members{&Lobe::peak_nm, &Lobe::width_nm, &Lobe::height, &Lobe::floor, &Lobe::flatness};
+
+// What a surface can have of them; the peak may be anywhere.
+struct MemberRange {
+    double Lobe::*member;
+    double low;
+    double high;
+};
+constexpr std::array member_ranges{MemberRange{&Lobe::width_nm, 0.0, std::numeric_limits<double>::infinity()},
+                                   MemberRange{&Lobe::height, 0.0, 1.0}, MemberRange{&Lobe::floor, 0.0, 1.0},
+                                   MemberRange{&Lobe::flatness, 0.0, largest_flatness}};
 
 // Y(a) - Y(b) in which the cosines may cancel. Its rounding, 1e-16, is nothing beside steps of this length and more;
 // shape_difference() is two sines dearer.
@@ -33,7 +44,9 @@ double plain_difference(double shape, const Incidence& a, const Incidence& b) {
 constexpr double long_step = 0.01;
 
 bool needs_clamping(const Lobe& lobe) {
-    return lobe.height < 0.0 || lobe.height > 1.0 || lobe.width_nm < 0.0;
+    return std::any_of(member_ranges.begin(), member_ranges.end(), [&](const MemberRange& range) {
+        return lobe.*range.member < range.low || lobe.*range.member > range.high;
+    });
 }
 
 }  // namespace
@@ -136,8 +149,8 @@ Lobe PaletteCurve::unclamped(const Incidence& incidence) const {
 
 Lobe PaletteCurve::at(const Incidence& incidence) const {
     Lobe lobe = unclamped(incidence);
-    lobe.height = std::clamp(lobe.height, 0.0, 1.0);
-    lobe.width_nm = std::max(lobe.width_nm, 0.0);
+    for (const MemberRange& range : member_ranges)
+        lobe.*range.member = std::clamp(lobe.*range.member, range.low, range.high);
     return lobe;
 }
 
@@ -151,7 +164,7 @@ Lobe palette_lobe(const Palette& palette, const Incidence& incidence) {
 
 namespace {
 
-// Beyond an outer pick all three numbers are monotone in the angle, so bisection finds the one crossing.
+// Beyond an outer pick all numbers are monotone in the angle, so bisection finds the one crossing.
 //
 // @param is_beyond  what no surface can do, false at inside_deg
 // @return the first angle found beyond; nothing if not even outside_deg is
@@ -198,9 +211,10 @@ std::vector<double> palette_bends_deg(const Palette& palette) {
         if (const auto below = crossing_deg(curve, outer.first_deg, 0.0, is_beyond)) kinks_deg.push_back(*below);
         if (const auto above = crossing_deg(curve, outer.last_deg, 90.0, is_beyond)) kinks_deg.push_back(*above);
     };
-    add_crossings([](const Lobe& lobe) { return lobe.height < 0.0; });
-    add_crossings([](const Lobe& lobe) { return lobe.height > 1.0; });
-    add_crossings([](const Lobe& lobe) { return lobe.width_nm < 0.0; });
+    for (const MemberRange& range : member_ranges) {
+        add_crossings([&](const Lobe& lobe) { return lobe.*range.member < range.low; });
+        add_crossings([&](const Lobe& lobe) { return lobe.*range.member > range.high; });
+    }
     return kinks_deg;
 }
 

@@ -19,8 +19,8 @@ struct Pick {
 ///
 /// Along Y(theta) = p cos^2(theta) + (1 - p) cos(theta) (Park & Tsuruno 3.2.5, p is `shape`) the peak, the width and
 /// the height of two picks are straight lines: that is (3.2.8)-(3.2.13) without their division by the difference of the
-/// peaks. More picks: monotone cubic interpolation in Y (Fritsch & Carlson 1980, harmonic-mean slopes of Fritsch &
-/// Butland 1984), and straight lines outside the outermost picks.
+/// peaks. Floor and flatness run in the same way. More picks: monotone cubic interpolation in Y (Fritsch & Carlson
+/// 1980, harmonic-mean slopes of Fritsch & Butland 1984), and straight lines outside the outermost picks.
 struct Palette {
     std::vector<Pick> picks;  ///< at least one, in any order; one alone is the same lobe at every angle
     double shape = default_shape;
@@ -49,10 +49,9 @@ public:
     /// @pre as of the constructor
     void reset(const Palette& palette);
 
-    /// The lobe at an angle: height clamped to [0, 1], width to >= 0.
+    /// The lobe at an angle: height and floor clamped to [0, 1], width to >= 0, flatness to [0, largest_flatness].
     Lobe at(const Incidence& incidence) const;
-    /// The unclamped values of the formulas: beyond the picks the height may leave [0, 1] and the
-    /// width fall below 0.
+    /// The unclamped values of the formulas: beyond the picks each may leave its range.
     Lobe unclamped(const Incidence& incidence) const;
 
 private:
@@ -85,8 +84,8 @@ struct ClampBounds {
 /// Accuracy: 1e-13 degrees (bisection to the last bits).
 ClampBounds palette_clamp_bounds(const Palette& palette);
 
-/// Angles at which a palette's lobe turns sharply, in no order: its picks, and wherever its height reaches 0 or 1 or
-/// its width 0 beyond them. Accuracy of the latter: 1e-13 degrees.
+/// Angles at which a palette's lobe turns sharply, in no order: its picks, and wherever one of its numbers reaches the
+/// end of its range beyond them. Accuracy of the latter: 1e-13 degrees.
 std::vector<double> palette_bends_deg(const Palette& palette);
 
 }  // namespace nacre

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <span>
 
 #include "nacre/colour/adaptation.h"
@@ -10,8 +11,8 @@
 #include "nacre/colour/difference.h"
 #include "nacre/colour/tristimulus.h"
 #include "nacre/optics/incidence.h"
-#include "nacre/pick/lobe/lobe_finder.h"
 #include "nacre/shade/measured_colour.h"
+#include "nacre/shade/palette_colour.h"
 
 namespace nacre {
 namespace {
@@ -59,8 +60,7 @@ std::vector<std::size_t> spread_angles(const std::vector<double>& angles_deg, st
 
 class PaletteFitter {
 public:
-    PaletteFitter(const MeasuredSpectra& spectra, std::size_t picks, const Light& light,
-                  const LeastSquaresSolver& solve)
+    PaletteFitter(const MeasuredSpectra& spectra, std::size_t picks, const Light& light)
         : spectra_(spectra), light_(light) {
         const MeasuredColour colour(spectra, light);
         for (std::size_t angle = 0; angle < spectra.angle_deg.size(); ++angle) {
@@ -69,7 +69,7 @@ public:
             labs_.push_back(to_lab(colours_.back(), d65_white));
             peaks_nm_.push_back(measured_peak_nm(spectra, angle));
         }
-        start(picks, solve);
+        start(picks);
     }
 
     PaletteFit fit(const LeastSquaresSolver& solve) {
@@ -90,12 +90,24 @@ public:
 private:
     static constexpr std::size_t residuals_per_angle = 4;
 
-    void start(std::size_t picks, const LeastSquaresSolver& solve) {
-        const LobeFinder finder(light_.weights, light_.moments, light_.adaptation, solve);
-        for (const std::size_t angle : spread_angles(spectra_.angle_deg, picks)) {
-            const LobeMatch lobe = finder.find(colours_[angle]);
-            palette_.picks.push_back({spectra_.angle_deg[angle], {lobe.peak_nm, lobe.width_nm, lobe.height}});
+    // The half cosine that has the spectrum's peak and its area.
+    Lobe band_of(std::size_t angle) const {
+        const auto& nm = spectra_.wavelength_nm;
+        const double* values = &spectra_.reflectance[angle * nm.size()];
+        double area = 0.0;
+        double height = 0.0;
+        for (std::size_t i = 0; i + 1 < nm.size(); ++i) {
+            area += 0.5 * (values[i] + values[i + 1]) * (nm[i + 1] - nm[i]);
+            height = std::max(height, values[i]);
         }
+        constexpr double black = 1e-6;
+        const double width_nm = 0.5 * std::numbers::pi * area / std::max(height, black);
+        return {peaks_nm_[angle], std::clamp(width_nm, width_range.low, width_range.high), std::min(height, 1.0)};
+    }
+
+    void start(std::size_t picks) {
+        for (const std::size_t angle : spread_angles(spectra_.angle_deg, picks))
+            palette_.picks.push_back({spectra_.angle_deg[angle], band_of(angle)});
         fits_shape_ = places_.size() > picks && picks > 1;
     }
 
@@ -119,10 +131,7 @@ private:
         if (fits_shape_) palette_.shape = shape_range.at(parameters.back());
     }
 
-    Lab shown(const Lobe& lobe) const {
-        return to_lab(adapt(light_.adaptation, lobe_to_xyz(light_.weights, lobe.peak_nm, lobe.width_nm, lobe.height)),
-                      d65_white);
-    }
+    Lab shown(const Lobe& lobe) const { return to_lab(adapt(light_.adaptation, lobe_to_xyz(light_, lobe)), d65_white); }
 
     // Where the spectrum is nearly black, its peak is noise.
     double peak_weight(std::size_t angle) const { return std::min(1.0, labs_[angle].l / 20.0) / nm_per_de00; }
@@ -188,7 +197,7 @@ double measured_peak_nm(const MeasuredSpectra& spectra, std::size_t angle) {
 
 PaletteFit fit_palette(const MeasuredSpectra& spectra, std::size_t picks, const Light& light,
                        const LeastSquaresSolver& solve) {
-    return PaletteFitter(spectra, picks, light, solve).fit(solve);
+    return PaletteFitter(spectra, picks, light).fit(solve);
 }
 
 }  // namespace nacre

@@ -27,10 +27,10 @@ struct PaletteFit {
 /// The palette with a given number of picks whose colours are nearest to those of measured spectra, at all their angles
 /// together.
 ///
-/// Picks stand at measured angles, evenly spread in Y(theta) between the first and the last. Their bands begin as those
-/// of the spectra's own colours there; then bands and shape move together, by least squares of CIEDE2000's parts, and
-/// of the peak where the spectrum has one (10 nm count as much as a CIEDE2000 of 1), so that the band stays near the
-/// measured peak. With as many picks as angles the shape is the default.
+/// Picks stand at measured angles, evenly spread in Y(theta) between the first and the last. Their bands begin with
+/// the peaks and areas of the spectra there; then bands and shape move together, by least squares of CIEDE2000's parts,
+/// and of the peak where the spectrum has one (10 nm count as much as a CIEDE2000 of 1), so that the band stays near
+/// the measured peak. With as many picks as angles the shape is the default.
 /// @param picks  2 or more, at most as many as angles (1, if only one angle was measured)
 PaletteFit fit_palette(const MeasuredSpectra& spectra, std::size_t picks, const Light& light,
                        const LeastSquaresSolver& solve);

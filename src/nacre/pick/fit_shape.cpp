@@ -14,19 +14,27 @@
 namespace nacre {
 namespace {
 
-using Vector = std::array<double, 3>;
-constexpr std::array<double Lobe::*, 3> members{&Lobe::peak_nm, &Lobe::width_nm, &Lobe::height};
+// The last two count only where some pick has them.
+constexpr std::array members{&Lobe::peak_nm, &Lobe::width_nm, &Lobe::height, &Lobe::floor, &Lobe::flatness};
+constexpr std::size_t paper_members = 3;
+using Vector = std::array<double, members.size()>;
 
-// Lines are counted in these, so that all three numbers are of one size.
-constexpr Vector unit{100.0, 100.0, 1.0};
+// Lines are counted in these, so that all numbers are of one size.
+constexpr Vector unit{100.0, 100.0, 1.0, 1.0, 1.0};
+
+std::size_t count_members(const std::vector<Pick>& picks) {
+    const bool are_the_papers = std::all_of(picks.begin(), picks.end(), [](const Pick& pick) {
+        return pick.lobe.floor == 0.0 && pick.lobe.flatness == 0.0;
+    });
+    return are_the_papers ? paper_members : members.size();
+}
 
 // The weight of an error of one unit where it cannot be seen, such as the peak of black, so that the lines stay
 // defined. It is in CIEDE2000 too, and its square is negligible beside visible errors.
 constexpr double unseen = 1e-3;
 
-// Offset and slope of three lines.
-constexpr std::size_t unknowns = 6;
-using Unknowns = std::array<double, unknowns>;
+// Offset and slope of each line, in turn.
+using Unknowns = std::array<double, 2 * members.size()>;
 
 Lab lab_of(const Xyz& colour) {
     return to_lab(colour, d65_white);
@@ -36,8 +44,8 @@ double y_of(double shape, const Incidence& at) {
     return shape_difference(shape, at, Incidence::from_degrees(90.0));
 }
 
-// Solves a symmetric positive definite system by Cholesky's method.
-Unknowns solved(std::array<Unknowns, unknowns> matrix, Unknowns right) {
+// Solves a symmetric positive definite system of the first unknowns by Cholesky's method.
+Unknowns solved(std::array<Unknowns, 2 * members.size()> matrix, Unknowns right, std::size_t unknowns) {
     for (std::size_t i = 0; i < unknowns; ++i) {
         for (std::size_t j = 0; j <= i; ++j) {
             double sum = matrix[i][j];
@@ -57,7 +65,8 @@ Unknowns solved(std::array<Unknowns, unknowns> matrix, Unknowns right) {
 // Straight lines for one shape, and what they miss. Heights may leave [0, 1] on the way.
 class LineFit {
 public:
-    LineFit(const std::vector<Pick>& picks, const LobeColour& colour_of) : picks_(picks), colour_of_(colour_of) {
+    LineFit(const std::vector<Pick>& picks, const LobeColour& colour_of)
+        : picks_(picks), colour_of_(colour_of), lines_count_(count_members(picks)) {
         for (const Pick& pick : picks) labs_.push_back(lab_of(colour_of(pick.lobe)));
     }
 
@@ -70,9 +79,9 @@ public:
 
 private:
     // The residuals: parts of CIEDE2000, and a small weight of the difference of each number.
-    using Misses = std::array<double, 6>;
+    using Misses = std::array<double, 3 + members.size()>;
     struct Normal {
-        std::array<Unknowns, unknowns> matrix{};
+        std::array<Unknowns, 2 * members.size()> matrix{};
         Unknowns gradient{};
     };
 
@@ -86,21 +95,24 @@ private:
     const LobeColour& colour_of_;
     std::vector<Lab> labs_;
     std::vector<double> y_;  // of the picks, from their mean
-    Unknowns lines_{};       // offset of each number in its units, then slopes
+    std::size_t lines_count_;
+    Unknowns lines_{};  // of each number in its units
 };
 
 Lobe LineFit::lobe_of(const Unknowns& lines, std::size_t pick) const {
     Lobe lobe;
-    for (std::size_t i = 0; i < 3; ++i) lobe.*members[i] = unit[i] * (lines[i] + lines[i + 3] * y_[pick]);
+    for (std::size_t i = 0; i < lines_count_; ++i)
+        lobe.*members[i] = unit[i] * (lines[i] + lines[i + lines_count_] * y_[pick]);
     return lobe;
 }
 
 LineFit::Misses LineFit::misses_of(const Lobe& lobe, std::size_t pick) const {
     Lobe shown = lobe;
     shown.width_nm = std::max(shown.width_nm, 0.0);
+    shown.flatness = std::clamp(shown.flatness, 0.0, largest_flatness);
     const auto seen = ciede2000_parts(labs_[pick], lab_of(colour_of_(shown)));
     Misses misses{seen[0], seen[1], seen[2]};
-    for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t i = 0; i < lines_count_; ++i)
         misses[i + 3] = unseen * (lobe.*members[i] - picks_[pick].lobe.*members[i]) / unit[i];
     return misses;
 }
@@ -118,29 +130,30 @@ void LineFit::start_straight() {
     lines_ = {};
     double yy = 0.0;
     for (const double y : y_) yy += y * y;
-    for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t i = 0; i < lines_count_; ++i) {
         for (std::size_t k = 0; k < picks_.size(); ++k) {
             const double value = picks_[k].lobe.*members[i] / unit[i];
             lines_[i] += value / static_cast<double>(picks_.size());
-            lines_[i + 3] += value * y_[k] / yy;
+            lines_[i + lines_count_] += value * y_[k] / yy;
         }
     }
 }
 
 LineFit::Normal LineFit::normal() const {
-    constexpr Vector step{0.1, 0.1, 1e-4};
+    constexpr Vector step{0.1, 0.1, 1e-4, 1e-4, 1e-4};
+    const std::size_t unknowns = 2 * lines_count_;
     Normal normal;
     for (std::size_t pick = 0; pick < picks_.size(); ++pick) {
         const Lobe here = lobe_of(lines_, pick);
         const Misses misses = misses_of(here, pick);
-        std::array<Misses, unknowns> slopes{};
-        for (std::size_t i = 0; i < 3; ++i) {
+        std::array<Misses, 2 * members.size()> slopes{};
+        for (std::size_t i = 0; i < lines_count_; ++i) {
             Lobe beside = here;
             beside.*members[i] += step[i];
             const Misses moved = misses_of(beside, pick);
             for (std::size_t k = 0; k < moved.size(); ++k) {
                 slopes[i][k] = (moved[k] - misses[k]) * (unit[i] / step[i]);
-                slopes[i + 3][k] = slopes[i][k] * y_[pick];
+                slopes[i + lines_count_][k] = slopes[i][k] * y_[pick];
             }
         }
         for (std::size_t i = 0; i < unknowns; ++i) {
@@ -161,6 +174,7 @@ double LineFit::fit(double shape) {
     for (const double y : y_) mean += y / static_cast<double>(y_.size());
     for (double& y : y_) y -= mean;
     start_straight();
+    const std::size_t unknowns = 2 * lines_count_;
     double square = square_sum(lines_);
     double damping = 1e-3;
     constexpr int most_steps = 30;
@@ -171,7 +185,7 @@ double LineFit::fit(double shape) {
         for (int attempt = 0; attempt < 6 && square == before; ++attempt) {
             auto damped = at.matrix;
             for (std::size_t i = 0; i < unknowns; ++i) damped[i][i] *= 1.0 + damping;
-            const Unknowns move = solved(damped, at.gradient);
+            const Unknowns move = solved(damped, at.gradient, unknowns);
             Unknowns there = lines_;
             for (std::size_t i = 0; i < unknowns; ++i) there[i] -= move[i];
             const double there_square = square_sum(there);
@@ -238,6 +252,7 @@ std::optional<ShapeFit> fit_shape(const std::vector<Pick>& picks, const LobeColo
         Lobe lobe = lines.lobe(i);
         lobe.width_nm = std::max(lobe.width_nm, 0.0);
         lobe.height = std::clamp(lobe.height, 0.0, 1.0);
+        lobe.floor = std::clamp(lobe.floor, 0.0, 1.0);
         fit.de00.push_back(rounded(lines.miss(i, lobe)));
     }
     return fit;

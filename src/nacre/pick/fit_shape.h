@@ -15,7 +15,7 @@ struct ShapeFit {
 };
 
 /// Fits p of Y(theta) = p cos^2 + (1 - p) cos so that straight lines in Y (the paper's own model: one for the peak, the
-/// width and the height) come nearest to all picks.
+/// width and the height; and for floor and flatness, if a pick has them) come nearest to all picks.
 ///
 /// The distance is the sum of squares of CIEDE2000. For every p the lines are found by Levenberg and
 /// Marquardt's method; p itself is scanned in twentieths and refined by golden-section search, in a few milliseconds.

@@ -5,7 +5,7 @@
 namespace nacre {
 
 bool PickedColour::is_met() const {
-    return lobe ? lobe->miss == LobeMiss::none : de00 <= met_de00;
+    return lobe ? shown.is_as_picked() : de00 <= met_de00;
 }
 
 namespace {
@@ -26,40 +26,54 @@ std::string advice(const PickedColour& picked) {
     return picked.mechanism == "film" ? "; a stack may come closer (mechanism = \"stack\")" : "";
 }
 
+std::string percent_text(double share) {
+    return significant_text(100.0 * share, share < 0.1 ? 1 : 2) + " %";
+}
+
+// What a palette shows instead, and why.
+std::string dimmed_text(const PickedColour& picked) {
+    const ShownColour& shown = picked.shown;
+    std::string text = "is dimmed to " + percent_text(shown.luminance) + " of its luminance";
+    if (picked.colour.y <= 0.0 || shown.luminance == 0.0) {
+        text = "is shown as black, because the colour is darker than black";
+    } else if (shown.chroma < 1.0) {
+        text += " and made paler, to " + percent_text(shown.chroma) +
+                " of its chroma, because it is more saturated than the light of a single wavelength";
+    } else if (picked.colour.y > all_light) {
+        text += ", because no surface reflects more light than it receives";
+    } else {
+        text += ", because no reflectance is both so bright and so saturated";
+    }
+    text += "; the hue stays, and CIEDE2000 is " + significant_text(picked.de00, 3);
+    if (picked.looks_like_bytes) text += "; components go from 0 to 1, and these look like 0 to 255";
+    return text;
+}
+
 }  // namespace
 
 std::string match_text(const PickedColour& picked) {
+    if (picked.lobe) return picked.is_met() ? "exact" : dimmed_text(picked);
+    if (picked.is_met()) return "met, CIEDE2000 " + significant_text(picked.de00, 2);
     const std::string error = "misses by CIEDE2000 " + significant_text(picked.de00, 3);
-    if (!picked.lobe) {
-        if (picked.is_met()) return "met, CIEDE2000 " + significant_text(picked.de00, 2);
-        return picked.is_searched ? error + advice(picked) : error;
-    }
-    if (picked.lobe->miss != LobeMiss::none) {
-        if (picked.colour.y < 0.0) return error + ", because the colour is darker than black";
-        if (picked.colour.y > all_light) return error + ", because no surface reflects more light than it receives";
-    }
-    switch (picked.lobe->miss) {
-        case LobeMiss::none:
-            return "exact";
-        case LobeMiss::bright:
-            return error + ", because no band that is so bright is so saturated";
-        case LobeMiss::saturated:
-            return error + ", because no single band has this chromaticity (as with purples and many pale colours)";
-    }
-    return {};
+    return picked.is_searched ? error + advice(picked) : error;
 }
 
 std::string miss_text(const PickedColour& picked) {
-    if (!picked.is_searched) return "this " + picked.mechanism + " " + match_text(picked);
-    return (picked.lobe ? "the nearest band " : "the best " + picked.mechanism + " found ") + match_text(picked);
+    if (picked.lobe) return match_text(picked);
+    return (picked.is_searched ? "the best " + picked.mechanism + " found " : "this " + picked.mechanism + " ") +
+           match_text(picked);
 }
 
 std::string picked_text(const std::vector<PickedColour>& picked) {
     std::string text;
     for (const PickedColour& one : picked) {
-        const bool is_exact = one.lobe && one.is_met();
-        text += (text.empty() ? "" : "; ") + one.text + " at " + number_text(one.angle_deg) +
-                " deg: " + (is_exact ? "exact" : "dE00 " + significant_text(one.de00, 3));
+        text += (text.empty() ? "" : "; ") + one.text + " at " + number_text(one.angle_deg) + " deg: ";
+        if (!one.lobe)
+            text += "dE00 " + significant_text(one.de00, 3);
+        else if (one.is_met())
+            text += "exact";
+        else
+            text += "dimmed to " + percent_text(one.shown.luminance) + ", dE00 " + significant_text(one.de00, 3);
     }
     return text;
 }

@@ -9,7 +9,7 @@
 #include "nacre/base/where.h"
 #include "nacre/colour/colour_types.h"
 #include "nacre/optics/lobe.h"
-#include "nacre/pick/lobe/lobe_finder.h"
+#include "nacre/pick/band/shown_colour.h"
 
 namespace nacre {
 
@@ -22,23 +22,26 @@ struct PickedColour {
     double weight = 1.0;
     Xyz reached;                     ///< the colour that the material shows there, relative to D65
     double de00 = 0.0;               ///< between the two, both beside D65 white
-    std::optional<LobeMatch> lobe;   ///< of a palette: its band
+    std::optional<Lobe> lobe;        ///< of a palette: its band
+    ShownColour shown;               ///< of a palette: what its band has exactly
+    bool looks_like_bytes = false;   ///< whether its components look like 0 to 255
     std::string mechanism = "band";  ///< what was searched: "band", "film"
     bool is_searched =
         true;  ///< whether anything was free: else the scene has all numbers, and picks are compared with
     Where where;
 
-    /// Whether it is shown: by a band to `exact_lobe_de00`, by anything else to `met_de00`.
+    /// Whether it is shown: by a band exactly, by anything else to `met_de00`.
     bool is_met() const;
 };
 
 /// A film, stack, grating or crystal with at most this error meets a picked colour.
 inline constexpr double met_de00 = 0.5;
 
-/// "exact", "met, CIEDE2000 0.03", or "misses by CIEDE2000 4.7, because ..."
+/// "exact", "met, CIEDE2000 0.03", "misses by CIEDE2000 4.7, because ...", or of a band "is dimmed to 62 % of its
+/// luminance, because ...; CIEDE2000 4.7"
 std::string match_text(const PickedColour& picked);
 
-/// For a pick that is not met: "the best film found misses by CIEDE2000 4.7, because ..."
+/// For a pick that is not met: "the best film found misses by CIEDE2000 4.7, because ...", "is dimmed to ..."
 std::string miss_text(const PickedColour& picked);
 
 /// The colours of a material as the user wrote them, and what they became: "#3a6fd0 at 0 deg: exact; ...".

@@ -27,6 +27,7 @@
 #include "nacre/scene/plan_tables.h"
 #include "nacre/scene/readers/pick_reader.h"
 #include "nacre/shade/measured_colour.h"
+#include "nacre/shade/palette_colour.h"
 
 namespace nacre {
 namespace {
@@ -47,13 +48,15 @@ void check_version(const Table& scene) {
     scene.checked_integer("nacre", *value, {1, format_version});
 }
 
-// Finds the band of a colour. The finder's tables take some milliseconds, so they wait for the first colour.
-LobeReader lobe_reader(const std::shared_ptr<const Light>& light, const LeastSquaresSolver& solver) {
-    auto finder = std::make_shared<std::optional<LobeFinder>>();
-    return [finder, light, solver](const Xyz& colour) {
-        if (!*finder) finder->emplace(light->weights, light->moments, light->adaptation, solver);
-        return (*finder)->find(colour);
+// Finds bands. The tables for it take some milliseconds, so they wait for the first colour.
+BandReader band_reader(const std::shared_ptr<const Light>& light) {
+    auto bands = std::make_shared<std::optional<ExactBands>>();
+    const auto made = [bands, light]() -> const ExactBands& {
+        if (!*bands) bands->emplace(*light);
+        return **bands;
     };
+    return {[made, light](const Xyz& colour) { return shown_colour(made(), *light, colour); },
+            [made, light](const std::vector<ColourOrBand>& picks) { return palette_bands(made(), *light, picks); }};
 }
 
 ColourReader colour_reader(const SceneFiles& files, const ColourSettings& settings) {
@@ -69,15 +72,15 @@ PickReaders pick_readers(const SceneFiles& files, const std::shared_ptr<const Li
     // Under an unknown light a colour can be read, but no band be found for it.
     if (light == nullptr) {
         return {colour_reader(files, settings),
-                [](const Xyz&) {
-                    return LobeMatch{550.0, 100.0, 0.5};
-                },
-                [](const Lobe&) { return Xyz{}; }, [](const MeasuredSpectra&, double) { return Xyz{}; }};
+                {[](const Xyz& colour) { return ShownColour{colour}; },
+                 [](const std::vector<ColourOrBand>& picks) {
+                     return std::vector<Lobe>(picks.size(), {550.0, 100.0, 0.5});
+                 }},
+                [](const Lobe&) { return Xyz{}; },
+                [](const MeasuredSpectra&, double) { return Xyz{}; }};
     }
-    return {colour_reader(files, settings), lobe_reader(light, files.least_squares),
-            [light](const Lobe& lobe) {
-                return adapt(light->adaptation, lobe_to_xyz(light->weights, lobe.peak_nm, lobe.width_nm, lobe.height));
-            },
+    return {colour_reader(files, settings), band_reader(light),
+            [light](const Lobe& lobe) { return adapt(light->adaptation, lobe_to_xyz(*light, lobe)); },
             [light](const MeasuredSpectra& spectra, double angle_deg) {
                 return adapt(light->adaptation, MeasuredColour(spectra, *light).at(Incidence::from_degrees(angle_deg)));
             }};

@@ -6,7 +6,6 @@
 #include <string>
 #include <vector>
 
-#include "nacre/base/least_squares.h"
 #include "nacre/colour/light.h"
 #include "nacre/lut/colour_settings.h"
 #include "nacre/lut/planned_lut.h"
@@ -49,8 +48,6 @@ struct SceneFiles {
     /// A picked colour's XYZ, by the scene's OpenColorIO config; empty: colours cannot be read here.
     std::function<Xyz(const Rgb& colour, const std::string& space, const Where& where, const ColourSettings& settings)>
         read_colour{};
-    /// Of a library; empty: see LobeFinder.
-    LeastSquaresSolver least_squares{};
     /// Looks for mechanisms that show what picks ask for, best first, at least one (see fit/find_mechanism.h); empty:
     /// such picks cannot be read here.
     std::function<std::vector<FoundMechanism>(const MechanismSearch& search, const Light& light)> find_mechanisms{};

@@ -7,6 +7,14 @@
 
 namespace nacre {
 
+Xyz lobe_to_xyz(const Light& light, const Lobe& lobe) {
+    const Xyz band = band_to_xyz(light.weights, {lobe.peak_nm, lobe.width_nm, lobe.flatness});
+    const double rise = lobe.height - lobe.floor;
+    const Xyz& white = light.weights.white;
+    return {lobe.floor * white.x + rise * band.x, lobe.floor * white.y + rise * band.y,
+            lobe.floor * white.z + rise * band.z};
+}
+
 Xyz PaletteColour::at(const Incidence& incidence, Work& work) {
     const Lobe lobe = curve_.at(incidence);
     const Light& light = *light_;
@@ -25,7 +33,7 @@ Xyz PaletteColour::at(const Incidence& incidence, Work& work) {
         return sum;
     }
     ++work.exact_integrals;
-    return lobe_to_xyz(light.weights, lobe.peak_nm, lobe.width_nm, lobe.height);
+    return lobe_to_xyz(light, lobe);
 }
 
 }  // namespace nacre

@@ -3,10 +3,14 @@
 #include "nacre/colour/colour_types.h"
 #include "nacre/colour/light.h"
 #include "nacre/optics/incidence.h"
+#include "nacre/optics/lobe.h"
 #include "nacre/optics/palette.h"
 #include "nacre/shade/work.h"
 
 namespace nacre {
+
+/// The colour of one band by the closed form, before adaptation.
+Xyz lobe_to_xyz(const Light& light, const Lobe& lobe);
 
 /// The colour of a palette's bands.
 class PaletteColour {

@@ -50,9 +50,13 @@ std::vector<ClampedRange> clamped_ranges(const Material& material) {
     if (palette == nullptr) return ranges;
     const auto add = [&](double bound_deg, double end_deg) {
         const Lobe lobe = palette_lobe_unclamped(*palette, Incidence::from_degrees(bound_deg));
-        const std::string what = lobe.height > 1.0   ? "height reaches 1"
-                                 : lobe.height < 0.0 ? "height reaches 0"
-                                                     : "width reaches 0";
+        const std::string what = lobe.height > 1.0                  ? "height reaches 1"
+                                 : lobe.height < 0.0                ? "height reaches 0"
+                                 : lobe.width_nm < 0.0              ? "width reaches 0"
+                                 : lobe.floor > 1.0                 ? "floor reaches 1"
+                                 : lobe.floor < 0.0                 ? "floor reaches 0"
+                                 : lobe.flatness > largest_flatness ? "flatness reaches 1"
+                                                                    : "flatness reaches 0";
         ranges.push_back({bound_deg, end_deg, what + " at " + rounded_text(bound_deg) + "°"});
     };
     const ClampBounds bounds = palette_clamp_bounds(*palette);

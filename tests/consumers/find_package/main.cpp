@@ -13,7 +13,8 @@ int main() {
         nacre::make_tristimulus_weights(nacre::Observer::cie1931_2deg, *nacre::illuminant_by_name("D65"));
 
     const nacre::Lobe lobe = nacre::palette_lobe(morpho, nacre::Incidence::from_degrees(20.0));
-    const nacre::Xyz colour = nacre::lobe_to_xyz(weights, lobe.peak_nm, lobe.width_nm, lobe.height);
+    const nacre::Xyz unit = nacre::band_to_xyz(weights, {lobe.peak_nm, lobe.width_nm});
+    const nacre::Xyz colour{lobe.height * unit.x, lobe.height * unit.y, lobe.height * unit.z};
 
     nacre::Xyz sum;
     for (int i = 0; i < weights.count(); ++i) {

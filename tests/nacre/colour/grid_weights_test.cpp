@@ -85,7 +85,8 @@ Xyz sampled_lobe(const TristimulusWeights& weights, const Lobe& lobe, const Wave
 TEST(GridWeights, SampledLobeConvergesToTheExactOneAsTheSquareOfTheStep) {
     const TristimulusWeights weights = d65_weights();
     const Lobe lobe{511.3, 67.9, 0.8};
-    const Xyz exact = lobe_to_xyz(weights, lobe.peak_nm, lobe.width_nm, lobe.height);
+    const Xyz unit = band_to_xyz(weights, {lobe.peak_nm, lobe.width_nm});
+    const Xyz exact{lobe.height * unit.x, lobe.height * unit.y, lobe.height * unit.z};
     double error_before = 1.0;
     for (const int per_nm : {4, 16, 64, 256}) {
         const Xyz sampled = sampled_lobe(weights, lobe, {360.0, 830.0, 470 * per_nm + 1});

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "nacre/colour/rgb_space.h"
+#include "nacre/shade/palette_colour.h"
 #include "reference/csv.h"
 #include "reference/number.h"
 #include "support/palette_luts.h"
@@ -196,8 +197,7 @@ TEST(Baselines, FinerSumsComeNearerToTheIntegral) {
         double worst = 0.0;
         for (double peak_nm = 430.0; peak_nm < 660.0; peak_nm += 3.7) {
             const Lobe lobe{peak_nm, 40.0, 1.0};
-            const Xyz exact =
-                adapt(light->adaptation, lobe_to_xyz(light->weights, lobe.peak_nm, lobe.width_nm, lobe.height));
+            const Xyz exact = adapt(light->adaptation, lobe_to_xyz(*light, lobe));
             worst = std::max(worst, std::abs(baseline.to_xyz(lobe).y - exact.y));
         }
         return worst;

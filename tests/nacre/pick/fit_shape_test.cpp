@@ -9,6 +9,7 @@
 #include "nacre/colour/difference.h"
 #include "nacre/colour/illuminant.h"
 #include "nacre/colour/light.h"
+#include "nacre/shade/palette_colour.h"
 
 namespace nacre {
 namespace {
@@ -24,7 +25,7 @@ const Light& daylight() {
 
 Xyz colour_of(const Lobe& lobe) {
     const Light& light = daylight();
-    return adapt(light.adaptation, lobe_to_xyz_per_cell(light.weights, lobe.peak_nm, lobe.width_nm, lobe.height));
+    return adapt(light.adaptation, lobe_to_xyz(light, lobe));
 }
 
 double difference(const Lobe& one, const Lobe& other) {

@@ -14,6 +14,7 @@
 
 #include "nacre/colour/illuminant.h"
 #include "nacre/lut/bake.h"
+#include "nacre/shade/palette_colour.h"
 #include "nacre/swatch/swatch_gamut.h"
 #include "nacre/swatch/swatch_layout.h"
 #include "nacre/swatch/swatch_sphere.h"
@@ -129,8 +130,7 @@ TEST(PlaneSwatch, APixelIsTheColourOfTheLobeWithThatPeakAtThatAngle) {
         Lobe lobe = palette_lobe(palette_of(beetle), Incidence::from_degrees(angle_deg));
         lobe.peak_nm = peak_nm;
         const Light& light = *daylight();
-        const Xyz expected =
-            adapt(light.adaptation, lobe_to_xyz(light.weights, lobe.peak_nm, lobe.width_nm, lobe.height));
+        const Xyz expected = adapt(light.adaptation, lobe_to_xyz(light, {lobe.peak_nm, lobe.width_nm, lobe.height}));
         const Xyz& pixel = panel.image.at(column, row);
         EXPECT_NEAR(pixel.x, expected.x, rounding);
         EXPECT_NEAR(pixel.y, expected.y, rounding);
@@ -164,7 +164,7 @@ TEST(PaletteSwatch, HeightOneIsAtTheTopAndHeightZeroIsBlack) {
     const Panel& panel = picture(SwatchKind::palette, morpho).panels.at(0);
     const int last = panel.image.width() - 1;
     const Light& light = *daylight();
-    const Xyz expected = adapt(light.adaptation, lobe_to_xyz(light.weights, 460.0, 200.0, 1.0));
+    const Xyz expected = adapt(light.adaptation, lobe_to_xyz(light, {460.0, 200.0, 1.0}));
     EXPECT_NEAR(panel.image.at(last, 0).y, expected.y, rounding);
     for (int column = 0; column <= last; ++column) ASSERT_EQ(panel.image.at(column, last).y, 0.0);
 }
@@ -318,7 +318,7 @@ TEST(FitToSrgb, KeepsColoursThatAreWellInside) {
 TEST(FitToSrgb, BringsEveryLobeInsideAndKeepsItsLargestComponent) {
     const Light& light = *daylight();
     for (double peak_nm = 380.0; peak_nm <= 720.0; peak_nm += 5.0) {
-        const Xyz colour = lobe_to_xyz(light.weights, peak_nm, 20.0, 1.0);
+        const Xyz colour = lobe_to_xyz(light, {peak_nm, 20.0, 1.0});
         const Rgb before = linear_rec709(colour), after = linear_rec709(fit_to_srgb(colour));
         const double most = std::max({before.r, before.g, before.b});
         EXPECT_NEAR(std::max({after.r, after.g, after.b}), most, 1e-12 * most) << peak_nm;

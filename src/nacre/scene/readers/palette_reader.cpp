@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "nacre/base/text.h"
+#include "nacre/colour/difference.h"
 #include "nacre/scene/readers/mechanism_readers.h"
 #include "nacre/scene/readers/pick_reader.h"
 
@@ -35,11 +36,10 @@ void check_picks_differ(const Palette& palette, const Table& table, const Where&
     }
 }
 
-// A pick of a palette: a band, or a colour and the band that was found for it.
+// A pick of a palette: a band, or a colour whose band is found together with the others'.
 struct PalettePick {
     Pick pick;
     std::optional<PickedColour> picked;
-    bool is_black = false;  // the colour black
 };
 
 PalettePick read_pick(const Table& table, const PickReaders& readers) {
@@ -55,30 +55,28 @@ PalettePick read_pick(const Table& table, const PickReaders& readers) {
                    "remove it");
     }
     table.expect_all_read();
-    if (pick.picked && table.is_good()) {
-        pick.picked->angle_deg = pick.pick.angle_deg;
-        find_band(readers, *pick.picked);
-        const LobeMatch& lobe = *pick.picked->lobe;
-        pick.pick.lobe = {lobe.peak_nm, lobe.width_nm, lobe.height};
-        pick.is_black = lobe.height == 0.0;
-    }
+    if (pick.picked) pick.picked->angle_deg = pick.pick.angle_deg;
     return pick;
 }
 
-// Black says nothing about peak and width: they are those of the nearest pick that is not black, so that the band fades
-// where it is.
-void take_shape_of_neighbours(std::vector<PalettePick>& picks) {
-    for (PalettePick& black : picks) {
-        if (!black.is_black) continue;
-        double least_deg = 180.0;
-        for (const PalettePick& other : picks) {
-            const double distance_deg = std::abs(other.pick.angle_deg - black.pick.angle_deg);
-            if (other.is_black || distance_deg >= least_deg) continue;
-            least_deg = distance_deg;
-            black.pick.lobe = {other.pick.lobe.peak_nm, other.pick.lobe.width_nm, 0.0};
-        }
-        black.picked->lobe->peak_nm = black.pick.lobe.peak_nm;
-        black.picked->lobe->width_nm = black.pick.lobe.width_nm;
+void find_bands(std::vector<PalettePick>& picks, const PickReaders& readers) {
+    std::vector<ColourOrBand> asked;
+    for (PalettePick& pick : picks) {
+        asked.push_back({pick.pick.angle_deg, {}, pick.pick.lobe});
+        if (!pick.picked) continue;
+        pick.picked->shown = readers.find.shown(pick.picked->colour);
+        asked.back().colour = pick.picked->shown.colour;
+    }
+    const bool has_colours = std::any_of(picks.begin(), picks.end(), [](const auto& pick) { return !!pick.picked; });
+    if (!has_colours) return;
+    const std::vector<Lobe> bands = readers.find.bands(asked);
+    for (std::size_t i = 0; i < picks.size(); ++i) {
+        if (!picks[i].picked) continue;
+        PickedColour& picked = *picks[i].picked;
+        picks[i].pick.lobe = bands[i];
+        picked.lobe = bands[i];
+        picked.reached = readers.lobe_colour(bands[i]);
+        picked.de00 = ciede2000(to_lab(picked.colour, d65_white), to_lab(picked.reached, d65_white));
     }
 }
 
@@ -111,7 +109,7 @@ ReadMechanism read_palette(const Table& table, const SceneContext& context) {
     Palette palette;
     palette.shape = table.number_or("shape", allowed_shape, Palette::default_shape);
     if (!table.is_good()) return {std::move(palette)};
-    take_shape_of_neighbours(picks);
+    find_bands(picks, context.picks);
     for (const PalettePick& pick : picks) palette.picks.push_back(pick.pick);
     check_picks_differ(palette, table, table.find("picks")->where);
     const std::optional<ShapeFit> fit = fit_open_shape(table, context.picks, palette);
@@ -156,8 +154,10 @@ std::string palette_toml(const Mechanism& mechanism) {
     std::string text = "mechanism = \"palette\"\nshape = " + number_text(palette.shape) + "\npicks = [\n";
     for (const Pick& pick : palette.picks) {
         text += "    { angle_deg = " + number_text(pick.angle_deg) + ", peak_nm = " + number_text(pick.lobe.peak_nm) +
-                ", width_nm = " + number_text(pick.lobe.width_nm) + ", height = " + number_text(pick.lobe.height) +
-                " },\n";
+                ", width_nm = " + number_text(pick.lobe.width_nm) + ", height = " + number_text(pick.lobe.height);
+        if (pick.lobe.floor != 0.0) text += ", floor = " + number_text(pick.lobe.floor);
+        if (pick.lobe.flatness != 0.0) text += ", flatness = " + number_text(pick.lobe.flatness);
+        text += " },\n";
     }
     return text + "]\n";
 }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <string>
 
@@ -21,6 +22,11 @@ constexpr std::size_t most_picks = 100;
 Rgb read_components(const Table& pick, const Value& value) {
     if (const auto* text = std::get_if<std::string>(&value.data)) {
         if (const auto colour = parse_hex_colour(*text)) return *colour;
+        if (const std::string opaque = without_alpha(*text); !opaque.empty()) {
+            pick.fail(value.where, "colour = " + in_quotes(*text) +
+                                       " has an alpha component, and a reflectance has none; give " +
+                                       in_quotes(opaque));
+        }
         pick.fail(value.where,
                   "colour = " + in_quotes(*text) + " is not a colour; give \"#rrggbb\", \"#rgb\" or [r, g, b]");
     }
@@ -32,6 +38,14 @@ Rgb read_components(const Table& pick, const Value& value) {
     std::array<double, 3> components{};
     for (std::size_t i = 0; i < 3; ++i) components[i] = pick.checked_number("colour", list[i], allowed_component);
     return {components[0], components[1], components[2]};
+}
+
+// Whole numbers up to 255, one of which is no 0 or 1.
+bool look_like_bytes(const Rgb& colour) {
+    const std::array components{colour.r, colour.g, colour.b};
+    const auto is_byte = [](double c) { return c >= 0.0 && c <= 255.0 && c == std::floor(c); };
+    return std::all_of(components.begin(), components.end(), is_byte) &&
+           *std::max_element(components.begin(), components.end()) > 1.0;
 }
 
 std::string written(const Value& value, const Rgb& colour) {
@@ -57,7 +71,10 @@ Lobe read_lobe(const Table& pick) {
         pick.note_missing("colour", "give \"#rrggbb\", [r, g, b], or a band: peak_nm, width_nm, height");
         return lobe;
     }
-    for (const LobeKey& key : lobe_keys) lobe.*key.member = pick.number(key.key, key.allowed);
+    for (const LobeKey& key : lobe_keys) {
+        lobe.*key.member =
+            key.may_be_left_out ? pick.number_or(key.key, key.allowed, 0.0) : pick.number(key.key, key.allowed);
+    }
     return lobe;
 }
 
@@ -79,13 +96,8 @@ std::optional<PickedColour> read_picked_colour(const Table& pick, const ColourRe
     picked.text = written(*value, components) + (space.empty() ? "" : " in " + space);
     picked.where = value->where;
     picked.colour = read(components, space, value->where);
+    picked.looks_like_bytes = look_like_bytes(components);
     return picked;
-}
-
-void find_band(const PickReaders& readers, PickedColour& picked) {
-    picked.lobe = readers.find_lobe(picked.colour);
-    picked.de00 = picked.lobe->de00;
-    picked.reached = readers.lobe_colour({picked.lobe->peak_nm, picked.lobe->width_nm, picked.lobe->height});
 }
 
 }  // namespace nacre

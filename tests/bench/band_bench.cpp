@@ -1,5 +1,5 @@
-// One lobe to XYZ, widths 40 to 400 nm: the exact integral and the fast one beside the sums that others make, and
-// beside their scalar reference implementation. And back: a colour to its lobe, beside the nearest of a table.
+// One band to XYZ, widths 40 to 400 nm: the exact integral beside the sums that others make, and beside its scalar
+// reference implementation. And back: a colour to its band, beside a look-up in a table; two colours to their bands.
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
@@ -8,15 +8,17 @@
 #include <random>
 #include <vector>
 
-#include "io/ceres_solver.h"
+#include "nacre/colour/adaptation.h"
 #include "nacre/colour/difference.h"
 #include "nacre/colour/illuminant.h"
 #include "nacre/colour/light.h"
-#include "nacre/colour/lobe_moments.h"
 #include "nacre/colour/tristimulus.h"
 #include "nacre/cost/baselines.h"
 #include "nacre/optics/lobe.h"
-#include "nacre/pick/lobe/lobe_finder.h"
+#include "nacre/pick/band/exact_bands.h"
+#include "nacre/pick/band/palette_bands.h"
+#include "nacre/pick/band/shown_colour.h"
+#include "nacre/shade/palette_colour.h"
 
 namespace nacre {
 namespace {
@@ -56,7 +58,7 @@ void over_widths(benchmark::State& state, ToXyz to_xyz) {
     double de00 = 0.0;
     for (double width_nm = 40.0; width_nm <= 400.0; width_nm += 3.7) {
         for (double peak_nm = 400.0; peak_nm <= 700.0; peak_nm += 13.7) {
-            const Xyz reference = lobe_to_xyz_per_cell(weights(), peak_nm, width_nm, 1.0);
+            const Xyz reference = band_to_xyz_per_cell(weights(), {peak_nm, width_nm});
             const Xyz colour = to_xyz(Lobe{peak_nm, width_nm, 1.0});
             error = std::max({error, std::abs(colour.x - reference.x), std::abs(colour.y - reference.y),
                               std::abs(colour.z - reference.z)});
@@ -72,13 +74,22 @@ void over_widths(benchmark::State& state, ToXyz to_xyz) {
         benchmark::Counter(static_cast<double>(lobes), benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
 }
 
-void exact(benchmark::State& state) {
-    over_widths(state, [](const Lobe& l) { return lobe_to_xyz(weights(), l.peak_nm, l.width_nm, l.height); });
+Xyz scaled(const Xyz& colour, double factor) {
+    return {colour.x * factor, colour.y * factor, colour.z * factor};
 }
-void fast(benchmark::State& state) {
-    static const LobeMoments moments = make_lobe_moments(weights());
-    over_widths(state,
-                [](const Lobe& l) { return lobe_to_xyz_fast(weights(), moments, l.peak_nm, l.width_nm, l.height); });
+
+void exact(benchmark::State& state) {
+    over_widths(state, [](const Lobe& l) { return scaled(band_to_xyz(weights(), {l.peak_nm, l.width_nm}), l.height); });
+}
+void exact_half_flat(benchmark::State& state) {
+    double sum = 0.0;
+    for (auto _ : state) {
+        for (double width_nm = 40.0; width_nm <= 400.0; width_nm += 3.7)
+            sum += band_to_xyz(weights(), {450.3 + 0.5 * width_nm, width_nm, 0.5}).y;
+    }
+    benchmark::DoNotOptimize(sum);
+    state.counters["per_lobe"] = benchmark::Counter(98.0 * static_cast<double>(state.iterations()),
+                                                    benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
 }
 // A sum as well as one can be made: weights side by side, cosines by SIMD recurrence.
 void good_1nm_sum(benchmark::State& state) {
@@ -89,7 +100,9 @@ void good_1nm_sum(benchmark::State& state) {
     over_widths(state, [&](const Lobe& l) { return sum->to_xyz(l); });
 }
 void exact_per_cell(benchmark::State& state) {
-    over_widths(state, [](const Lobe& l) { return lobe_to_xyz_per_cell(weights(), l.peak_nm, l.width_nm, l.height); });
+    over_widths(state, [](const Lobe& l) {
+        return scaled(band_to_xyz_per_cell(weights(), {l.peak_nm, l.width_nm}), l.height);
+    });
 }
 void plain_1nm_sum(benchmark::State& state) {
     over_widths(state, [](const Lobe& l) { return plain_sum(l, 1); });
@@ -97,11 +110,6 @@ void plain_1nm_sum(benchmark::State& state) {
 void plain_5nm_sum(benchmark::State& state) {
     over_widths(state, [](const Lobe& l) { return plain_sum(l, 5); });
 }
-
-// Random sRGB colours: all, those that a lobe has, those that none has.
-struct Colours {
-    std::vector<Xyz> all, reachable, unreachable;
-};
 
 const Light& light() {
     static const Light result = [] {
@@ -112,12 +120,8 @@ const Light& light() {
     return result;
 }
 
-LobeFinder make_finder() {
-    return {light().weights, light().moments, light().adaptation, least_squares_solver()};
-}
-
-const LobeFinder& finder() {
-    static const LobeFinder result = make_finder();
+const ExactBands& bands() {
+    static const ExactBands result(light());
     return result;
 }
 
@@ -132,84 +136,95 @@ Xyz random_srgb(std::mt19937& generator) {
             0.0193308 * c[0] + 0.1191948 * c[1] + 0.9505322 * c[2]};
 }
 
-const Colours& srgb_colours() {
-    static const Colours result = [] {
-        std::mt19937 generator(5);
-        Colours colours;
-        for (int i = 0; i < 10000; ++i) {
-            const Xyz colour = random_srgb(generator);
-            const bool is_reachable = finder().find(colour).miss == LobeMiss::none;
-            colours.all.push_back(colour);
-            (is_reachable ? colours.reachable : colours.unreachable).push_back(colour);
-        }
-        return colours;
-    }();
-    return result;
+constexpr std::size_t colour_count = 10000;
+
+// Random sRGB colours, and the same so bright that no reflectance has them.
+std::vector<Xyz> srgb_colours(double brightness) {
+    std::mt19937 generator(5);
+    std::vector<Xyz> colours;
+    for (std::size_t i = 0; i < colour_count; ++i) colours.push_back(scaled(random_srgb(generator), brightness));
+    return colours;
 }
 
-void find_all(benchmark::State& state, const LobeFinder& by, const std::vector<Xyz>& colours) {
-    for (auto _ : state) {
-        for (const Xyz& colour : colours) benchmark::DoNotOptimize(by.find(colour));
-    }
+void count_per_colour(benchmark::State& state, std::size_t colours) {
     state.counters["per_colour"] =
-        benchmark::Counter(static_cast<double>(colours.size() * static_cast<std::size_t>(state.iterations())),
+        benchmark::Counter(static_cast<double>(colours * static_cast<std::size_t>(state.iterations())),
                            benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
 }
 
-void colour_to_lobe_reachable(benchmark::State& state) {
-    find_all(state, finder(), srgb_colours().reachable);
+void find_all(benchmark::State& state, double brightness) {
+    const std::vector<Xyz> colours = srgb_colours(brightness);
+    for (auto _ : state) {
+        for (const Xyz& colour : colours) {
+            const ShownColour shown = shown_colour(bands(), light(), colour);
+            benchmark::DoNotOptimize(palette_bands(bands(), light(), {{0.0, shown.colour, {}}}));
+        }
+    }
+    count_per_colour(state, colours.size());
 }
-void colour_to_lobe_unreachable(benchmark::State& state) {
-    find_all(state, finder(), srgb_colours().unreachable);
+
+void colour_to_band(benchmark::State& state) {
+    find_all(state, 1.0);
+}
+void colour_to_band_dimmed(benchmark::State& state) {
+    find_all(state, 20.0);
+}
+
+// Two picks, whose bands are chosen together.
+void pair_to_bands(benchmark::State& state) {
+    const std::vector<Xyz> colours = srgb_colours(1.0);
+    constexpr std::size_t pairs = 200;
+    for (auto _ : state) {
+        for (std::size_t i = 0; i < pairs; ++i) {
+            benchmark::DoNotOptimize(
+                palette_bands(bands(), light(), {{0.0, colours[2 * i], {}}, {60.0, colours[2 * i + 1], {}}}));
+        }
+    }
+    count_per_colour(state, 2 * pairs);
 }
 
 // The loop that one would write: the nearest in CIEDE2000 of 118 peaks and 48 widths, each as light as the colour, and
 // no search from there.
-void colour_to_lobe_of_a_table(benchmark::State& state) {
-    std::vector<Xyz> lobes;
+void colour_to_band_of_a_table(benchmark::State& state) {
+    std::vector<Xyz> table;
     for (int i = 0; i < 118; ++i) {
         for (int j = 1; j < 48; ++j) {
             const double width_nm = 1000.0 * (j / 47.0) * (j / 47.0);
-            const Xyz xyz = lobe_to_xyz(light().weights, 360.0 + 4.0 * i, width_nm, 1.0);
-            lobes.push_back(adapt(light().adaptation, xyz));
+            table.push_back(adapt(light().adaptation, lobe_to_xyz(light(), {360.0 + 4.0 * i, width_nm, 1.0})));
         }
     }
-    const std::vector<Xyz>& colours = srgb_colours().unreachable;
+    const std::vector<Xyz> colours = srgb_colours(1.0);
     constexpr std::size_t count = 20;
-    std::array<double, count> nearest{};
-    for (std::size_t i = 0; i < count; ++i) nearest[i] = finder().find(colours[i]).de00;
-    double lost = 0.0;
+    double missed = 0.0;
     for (auto _ : state) {
         for (std::size_t i = 0; i < count; ++i) {
             const Lab target = to_lab(colours[i], d65_white);
             double best = 1e9;
-            for (const Xyz& lobe : lobes) {
-                const double height = std::min(1.0, colours[i].y / std::max(lobe.y, 1e-9));
-                const Xyz dimmed{height * lobe.x, height * lobe.y, height * lobe.z};
-                best = std::min(best, ciede2000(target, to_lab(dimmed, d65_white)));
+            for (const Xyz& band : table) {
+                const double height = std::min(1.0, colours[i].y / std::max(band.y, 1e-9));
+                best = std::min(best, ciede2000(target, to_lab(scaled(band, height), d65_white)));
             }
-            lost = std::max(lost, best - nearest[i]);
+            missed = std::max(missed, best);
         }
     }
-    state.counters["lost_dE00"] = lost;  // at worst, beside the search
-    state.counters["per_colour"] =
-        benchmark::Counter(static_cast<double>(count * static_cast<std::size_t>(state.iterations())),
-                           benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
+    state.counters["worst_dE00"] = missed;
+    count_per_colour(state, count);
 }
 
-void lobe_finder_set_up(benchmark::State& state) {
-    for (auto _ : state) benchmark::DoNotOptimize(make_finder());
+void band_tables_set_up(benchmark::State& state) {
+    for (auto _ : state) benchmark::DoNotOptimize(ExactBands(light()));
 }
-BENCHMARK(fast);
 BENCHMARK(exact);
+BENCHMARK(exact_half_flat);
 BENCHMARK(good_1nm_sum);
 BENCHMARK(exact_per_cell);
 BENCHMARK(plain_1nm_sum);
 BENCHMARK(plain_5nm_sum);
-BENCHMARK(colour_to_lobe_reachable);
-BENCHMARK(colour_to_lobe_unreachable);
-BENCHMARK(colour_to_lobe_of_a_table);
-BENCHMARK(lobe_finder_set_up)->Unit(benchmark::kMillisecond);
+BENCHMARK(colour_to_band);
+BENCHMARK(colour_to_band_dimmed);
+BENCHMARK(pair_to_bands);
+BENCHMARK(colour_to_band_of_a_table);
+BENCHMARK(band_tables_set_up)->Unit(benchmark::kMillisecond);
 
 }  // namespace
 }  // namespace nacre

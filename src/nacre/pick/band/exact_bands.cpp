@@ -28,7 +28,7 @@ constexpr double nm_per_unit = 100.0;
 constexpr double difference = 1e-4;    // of the units above, for slopes
 constexpr double longest_step = 0.15;  // in the same units
 constexpr double exact_enough = 1e-9;  // of u' + v', and of XYZ relative to the colour's own Y
-constexpr double rounding = 1e-7;      // by which a level may exceed 1, before it is made 1
+constexpr double rounding = 1e-6;      // by which a level may exceed 1, before it is made 1
 constexpr double damping = 1e-10;      // of the normal equations, where a number makes no difference
 
 double level_of(const Xyz& target, const Xyz& unit) {
@@ -56,10 +56,13 @@ bool is_finite(const glm::dvec3& v) {
 template <typename Residual>
 bool newton(const Light& light, int free, const Residual& residual, UnitBand& band) {
     glm::dvec3 here = residual(band);
+    double last_error = 0.0;
     for (int step = 0; step < most_steps; ++step) {
         const double error = std::abs(here.x) + std::abs(here.y) + std::abs(here.z);
         if (!std::isfinite(error)) return false;
         if (error < exact_enough) return true;
+        if (step > 2 && error >= last_error) return false;  // far from any solution
+        last_error = error;
         glm::dmat3 slopes(0.0);
         for (int i = 0; i < free; ++i) {
             glm::dvec3 beside(0.0);
@@ -174,29 +177,39 @@ bool ExactBands::solve_colour(BandKind kind, const Xyz& target, UnitBand& band) 
         band);
 }
 
-ExactBands::Roots ExactBands::half_cosine_roots(BandKind kind, const Xyz& target) const {
+// Newton's method from every start. Triangles overlap by their slack: a start beside a root leads to it.
+template <typename BandAt>
+ExactBands::Roots ExactBands::roots_from(const ChromaticityTable& table, BandKind kind, const Xyz& target,
+                                         const BandAt& band_at) const {
     Roots roots;
     const Uv uv = uv_of(target);
-    for (const auto& start : half_cosines_[index_of(kind)].starts(uv)) {
-        UnitBand band = half_cosine_at(light_, start);
-        // Triangles overlap by their slack: a start beside a root leads to it.
-        if (roots.has(band, 0.3, 2e-3)) continue;
+    for (const ChromaticityTable::Place& start : table.starts(uv)) {
+        UnitBand band = band_at(start);
+        if (roots.has(band, 1.0, 6e-3)) continue;
         if (!solve_chromaticity(kind, uv, band)) continue;
         if (!roots.has(band, 0.05, 5e-4)) roots.band[roots.count++] = band;
     }
     return roots;
 }
 
+ExactBands::Roots ExactBands::half_cosine_roots(BandKind kind, const Xyz& target) const {
+    return roots_from(half_cosines_[index_of(kind)], kind, target,
+                      [&](const ChromaticityTable::Place& start) { return half_cosine_at(light_, start); });
+}
+
 std::optional<UnitBand> ExactBands::flattest(BandKind kind, const Xyz& target) const {
-    const Uv uv = uv_of(target);
-    for (const auto& start : boxes_[index_of(kind)].starts(uv)) {
-        const Box box = box_at(edges_nm_, start);
-        const double width_nm = (box.to_nm - box.from_nm) / fullness(largest_flatness);
-        UnitBand band = within_limits(
-            light_, {0.5 * (box.from_nm + box.to_nm), std::sqrt(width_nm / UnitBand::widest_nm), largest_flatness});
-        if (solve_chromaticity(kind, uv, band)) return band;
+    const Roots roots =
+        roots_from(boxes_[index_of(kind)], kind, target, [&](const ChromaticityTable::Place& start) -> UnitBand {
+            const Box box = box_at(edges_nm_, start);
+            const double width_nm = (box.to_nm - box.from_nm) / fullness(largest_flatness);
+            return within_limits(
+                light_, {0.5 * (box.from_nm + box.to_nm), std::sqrt(width_nm / UnitBand::widest_nm), largest_flatness});
+        });
+    std::optional<UnitBand> brightest;
+    for (std::size_t i = 0; i < roots.count; ++i) {
+        if (!brightest || colour_of(kind, roots.band[i]).y > colour_of(kind, *brightest).y) brightest = roots.band[i];
     }
-    return {};
+    return brightest;
 }
 
 // From the flattest downwards, as far as there is a band of the chromaticity that is bright enough.
@@ -222,7 +235,7 @@ std::optional<UnitBand> ExactBands::least_flat(BandKind kind, const Xyz& target,
     const auto flat = flattest(kind, target);
     if (!flat) return {};
     const double level_of_flat = level_of(target, colour_of(kind, *flat));
-    if (level_of_flat > 1.0) return {};
+    if (level_of_flat > 1.0 + rounding) return {};
     std::optional<UnitBand> best;
     for (std::size_t i = 0; i < roots.count; ++i) {
         const UnitBand& root = roots.band[i];

@@ -57,6 +57,8 @@ private:
 
     bool solve_chromaticity(BandKind kind, Uv target, UnitBand& band) const;
     bool solve_colour(BandKind kind, const Xyz& target, UnitBand& band) const;
+    template <typename BandAt>
+    Roots roots_from(const ChromaticityTable& table, BandKind kind, const Xyz& target, const BandAt& band_at) const;
     Roots half_cosine_roots(BandKind kind, const Xyz& target) const;
     std::optional<UnitBand> flattest(BandKind kind, const Xyz& target) const;
     std::optional<UnitBand> least_flat(BandKind kind, const Xyz& target, const Roots& roots) const;

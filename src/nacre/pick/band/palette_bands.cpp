@@ -106,6 +106,7 @@ Candidates Choice::candidates(const ColourOrBand& pick) const {
             result.list.push_back({match->lobe(), cost});
         }
     }
+    if (result.list.empty()) result.list.push_back({only_band(*pick.colour), 0.0});
     return result;
 }
 

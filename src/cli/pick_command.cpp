@@ -16,6 +16,7 @@
 #include "nacre/base/error.h"
 #include "nacre/base/text.h"
 #include "nacre/material/mechanism.h"
+#include "nacre/pick/band/pale_path.h"
 #include "nacre/pick/fit_palette.h"
 #include "nacre/pick/missed_picks.h"
 #include "nacre/scene/readers/mechanism_reader.h"
@@ -125,8 +126,16 @@ void pick_palette(const PickOptions& options, Console& console) {
         console.warning(options.picks.front() +
                         ": one pick gives the same colour at every angle; add a pick at another angle");
     judge(options, picked, console);
-    print(options, Json{{"picked", picked_list(picked)}},
-          scene_text({options.name, material, picks_toml(lines), "", true}), console);
+    Json json{{"picked", picked_list(picked)}};
+    std::string comments;
+    const auto& palette = std::get<Palette>(plan.materials.front().mechanism);
+    for (const PalePath& path : plan.materials.front().pale_paths) {
+        comments += "# " + pale_path_text(path, palette) + "\n";
+        Json pale{{"chroma", path.chroma}};
+        if (path.middle_helps) pale["middle_pick"] = middle_pick_text(path);
+        json["pale_paths"].push_back(std::move(pale));
+    }
+    print(options, std::move(json), scene_text({options.name, material, picks_toml(lines), comments, true}), console);
 }
 
 // ---- any other mechanism

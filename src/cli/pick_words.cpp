@@ -27,6 +27,10 @@ double number_in(const std::string& text, const std::string& argument, const cha
 // "#rrggbb", "#rgb" or three numbers with commas between.
 std::string colour_in(const std::string& text, const std::string& argument) {
     if (parse_hex_colour(text)) return toml_string(text);
+    if (const std::string opaque = without_alpha(text); !opaque.empty()) {
+        throw Error(argument + ": " + in_quotes(text) + " has an alpha component, and a reflectance has none; give " +
+                    in_quotes(opaque));
+    }
     if (std::count(text.begin(), text.end(), ',') != 2)
         throw Error(argument + ": " + in_quotes(text) + " is not a colour; give \"#rrggbb\", \"#rgb\" or r,g,b");
     std::string list = "[";

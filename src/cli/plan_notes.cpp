@@ -10,6 +10,7 @@
 #include "nacre/base/text.h"
 #include "nacre/base/words.h"
 #include "nacre/material/mechanism.h"
+#include "nacre/pick/band/pale_path.h"
 #include "nacre/pick/picked_colour.h"
 #include "nacre/scene/planned_swatch.h"
 
@@ -61,6 +62,15 @@ void note_shapes(const LoadedScene& scene, Console& console) {
     }
 }
 
+// Where the way from one colour to the next is greyer than both.
+void note_pale_paths(const LoadedScene& scene, Console& console) {
+    for (const SceneMaterial& material : scene.plan.materials) {
+        const auto* palette = std::get_if<Palette>(&material.mechanism);
+        for (const PalePath& path : material.pale_paths)
+            console.summary(called(material.name, scene) + ": " + pale_path_text(path, *palette));
+    }
+}
+
 // What a scene's picks ask for that no surface can do.
 void note_clamps(const LoadedScene& scene, Console& console) {
     for (const SceneMaterial& material : scene.plan.materials) {
@@ -95,6 +105,7 @@ void note_edges(const LoadedScene& scene, Console& console) {
 void note_scene(const LoadedScene& scene, Console& console) {
     note_picked(scene, console);
     note_shapes(scene, console);
+    note_pale_paths(scene, console);
     note_clamps(scene, console);
     note_edges(scene, console);
     for (const PlannedSwatch& swatch : scene.plan.swatches)

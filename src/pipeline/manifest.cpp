@@ -50,10 +50,11 @@ void add_colour(Json& json, const BakedLut& baked) {
     json["colour_config"] = header.value("colourConfig");
     json["gamut"] = {{"rule", header.value("gamut")},
                      {"texels_outside", baked.gamut.outside},
-                     {"most_negative", baked.gamut.most_negative}};
+                     {"most_negative", -rounded_up(-baked.gamut.most_negative)}};
     // Of what is kept it would say the same again.
     if (header.value("gamut") != name_of(gamut_words, Gamut::keep))
-        json["gamut"]["left"] = {{"texels_outside", baked.left.outside}, {"most_negative", baked.left.most_negative}};
+        json["gamut"]["left"] = {{"texels_outside", baked.left.outside},
+                                 {"most_negative", -rounded_up(-baked.left.most_negative)}};
 }
 
 void add_light(Json& json, const LightSettings& light, const LutHeader& header) {

@@ -66,6 +66,13 @@ TEST(ShownOutput, MayDifferInTimesAndSharesOfTime) {
     EXPECT_FALSE(shows_the_same({"morpho  465 us"}, {"morpho  465 nm"}));
 }
 
+TEST(ShownOutput, MayDifferInTheLastDigitsOfLongNumbers) {
+    EXPECT_TRUE(shows_the_same({"index = 1.5715, thickness_nm = 370.52"}, {"index = 1.5713, thickness_nm = 370.59"}));
+    EXPECT_FALSE(shows_the_same({"index = 1.5715"}, {"index = 1.5765"}));
+    EXPECT_FALSE(shows_the_same({"index = 1.571"}, {"index = 1.572"}));
+    EXPECT_FALSE(shows_the_same({"index = 1.5715"}, {"glass = 1.5715"}));
+}
+
 TEST(ShownOutput, MayLeaveOutLinesAtThreeDots) {
     EXPECT_TRUE(shows_the_same({"a", "...", "d"}, {"a", "b", "c", "d"}));
     EXPECT_TRUE(shows_the_same({"a", "..."}, {"a"}));

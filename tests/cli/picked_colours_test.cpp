@@ -17,12 +17,14 @@ const std::string picks = "[material.m]\npicks = [ { angle_deg = 0, ";
 TEST(PickedColours, StandInThePlanTheHeaderAndTheManifest) {
     const TemporaryFolder folder;
     folder.file("s.toml",
-                picks + "colour = \"#2c2\" }, { angle_deg = 40, colour = \"#c030c0\" } ]\n[accuracy]\nmax_de00 = 1\n");
+                picks +
+                    "colour = \"#2c2\" }, { angle_deg = 40, colour = [0.1, 1.3, 0.1], space = \"lin_rec709\" } ]\n" +
+                    "[accuracy]\nmax_de00 = 1\n");
     const ProgramOptions here{folder.path(), {}, {}, {}};
     const ProgramResult plan = run_nacre({"plan", "s.toml"}, here);
     EXPECT_EQ(plan.exit_code, 0) << plan.err;
     EXPECT_NE(plan.out.find("m: #2c2 at 0 deg is the band peak_nm = "), std::string::npos) << plan.out;
-    EXPECT_NE(plan.err.find("picks[1], #c030c0: the nearest band misses by CIEDE2000 "), std::string::npos) << plan.err;
+    EXPECT_NE(plan.err.find("picks[1], [0.1, 1.3, 0.1] in lin_rec709: is dimmed to "), std::string::npos) << plan.err;
     const ProgramResult refused = run_nacre({"bake", "s.toml", "--strict", "-o", "out"}, here);
     EXPECT_EQ(refused.exit_code, 2);
     EXPECT_EQ(std::count(refused.err.begin(), refused.err.end(), '\n'), 1) << refused.err;
@@ -32,9 +34,14 @@ TEST(PickedColours, StandInThePlanTheHeaderAndTheManifest) {
     const auto manifest = nlohmann::json::parse(file_bytes(folder.path() / "out" / "m.json"));
     ASSERT_EQ(manifest["picked"].size(), 2u);
     EXPECT_EQ(manifest["picked"][0]["match"], "exact");
-    EXPECT_EQ(manifest["picked"][1]["colour"], "#c030c0");
-    EXPECT_GT(manifest["picked"][1]["de00"], 5.0);
-    EXPECT_NE(file_bytes(folder.path() / "out" / "m.exr").find("#2c2 at 0 deg: exact; #c030c0 at 40 deg: dE00 "),
+    EXPECT_EQ(manifest["picked"][1]["colour"], "[0.1, 1.3, 0.1] in lin_rec709");
+    EXPECT_EQ(manifest["picked"][1]["match"], "dimmed");
+    const double luminance = manifest["picked"][1]["shown_luminance"];
+    EXPECT_GT(luminance, 0.5);
+    EXPECT_LT(luminance, 0.95);
+    EXPECT_EQ(manifest["picked"][1]["shown_chroma"], 1.0);
+    EXPECT_NE(file_bytes(folder.path() / "out" / "m.exr")
+                  .find("#2c2 at 0 deg: exact; [0.1, 1.3, 0.1] in lin_rec709 at 40 deg: dimmed to "),
               std::string::npos);
     const ProgramResult verified = run_nacre({"verify", "out/m.exr"}, here);
     EXPECT_EQ(verified.exit_code, 0) << verified.err;
@@ -115,9 +122,12 @@ TEST(Pick, SaysInOneLineWhatIsWrong) {
               "nacre: #fff@91: the angle is out of range; allowed [0, 90] degrees\n");
     EXPECT_EQ(message_of({"#fff@x", "#fff@3"}),
               "nacre: #fff@x: \"x\" is not an angle; give COLOUR@ANGLE, as in \"#22cc66@0\"\n");
-    EXPECT_NE(message_of({"#f0f@0", "#2c2@3", "--strict"})
-                  .find("nacre: #f0f at 0 deg: the nearest band misses by CIEDE2000 "),
+    EXPECT_NE(message_of({"0,1.2,0@0", "#2c2@3", "--space", "lin_rec709", "--strict"})
+                  .find("nacre: [0, 1.2, 0] in lin_rec709 at 0 deg: is dimmed to "),
               std::string::npos);
+    EXPECT_EQ(
+        message_of({"#ff000080@0", "#2c2@3"}),
+        "nacre: #ff000080@0: \"#ff000080\" has an alpha component, and a reflectance has none; give \"#ff0000\"\n");
     EXPECT_NE(message_of({"#2f2@0", "#2c2@0"}).find("different colours at one angle"), std::string::npos);
     EXPECT_NE(message_of({"#2f2@0", "#2c2@9", "--space", "lin_rec907"}).find("lin_rec907"), std::string::npos);
 }

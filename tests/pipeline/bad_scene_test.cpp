@@ -137,8 +137,9 @@ const std::vector<Mistake> mistakes{
      "... }"},
     {"AxisOverMissingParameter", scene("[lut.a]\ny = { parameter = \"thickness_nm\", from = 100, to = 900 }\n"),
      ":5:19 [lut.a]: mechanism palette has no parameter \"thickness_nm\"; known: shape, peak_nm, width_nm, height, "
-     "picks[0].angle_deg, picks[0].peak_nm, picks[0].width_nm, picks[0].height, picks[1].angle_deg, picks[1].peak_nm, "
-     "picks[1].width_nm, picks[1].height, tilt_deg"},
+     "floor, flatness, picks[0].angle_deg, picks[0].peak_nm, picks[0].width_nm, picks[0].height, picks[0].floor, "
+     "picks[0].flatness, picks[1].angle_deg, picks[1].peak_nm, picks[1].width_nm, picks[1].height, picks[1].floor, "
+     "picks[1].flatness, tilt_deg"},
     {"AxisOutOfTheParametersRange", scene("[lut.a]\ny = { parameter = \"height\", from = 0, to = 2 }\n"),
      ":5:44 [lut.a]: to = 2 is out of range; allowed [0, 1]"},
     {"AxisWithoutLength", scene("[lut.a]\ny = { parameter = \"height\", from = 1, to = 1 }\n"),

@@ -1,6 +1,8 @@
 #include "support/markdown.h"
 
+#include <algorithm>
 #include <cctype>
+#include <cmath>
 #include <cstddef>
 #include <fstream>
 #include <regex>
@@ -38,6 +40,28 @@ std::string comparable(const std::string& line) {
     return std::regex_replace(text, end, "");
 }
 
+std::size_t count_digits(const std::string& number) {
+    return static_cast<std::size_t>(
+        std::count_if(number.begin(), number.end(), [](unsigned char c) { return std::isdigit(c) != 0; }));
+}
+
+// Equal but for the last digits of long decimal numbers; see shows_the_same().
+bool are_alike(const std::string& shown, const std::string& printed) {
+    static const std::regex decimal(R"([0-9]+\.[0-9]+)");
+    if (std::regex_replace(shown, decimal, "N") != std::regex_replace(printed, decimal, "N")) return false;
+    auto other = std::sregex_iterator(printed.begin(), printed.end(), decimal);
+    for (auto one = std::sregex_iterator(shown.begin(), shown.end(), decimal); one != std::sregex_iterator(); ++one) {
+        const std::string a = one->str();
+        const std::string b = (other++)->str();
+        if (a == b) continue;
+        constexpr std::size_t many = 5;
+        constexpr double last_digits = 1e-3;
+        if (count_digits(a) < many || count_digits(b) < many) return false;
+        if (std::abs(std::stod(a) - std::stod(b)) > last_digits * std::stod(a)) return false;
+    }
+    return true;
+}
+
 bool matches(std::span<const std::string> shown, std::span<const std::string> printed) {
     if (shown.empty()) return printed.empty();
     if (shown.front() == "...") {
@@ -46,7 +70,7 @@ bool matches(std::span<const std::string> shown, std::span<const std::string> pr
         }
         return false;
     }
-    return !printed.empty() && comparable(shown.front()) == comparable(printed.front()) &&
+    return !printed.empty() && are_alike(comparable(shown.front()), comparable(printed.front())) &&
            matches(shown.subspan(1), printed.subspan(1));
 }
 

@@ -45,6 +45,8 @@ std::vector<std::string> lines_of(const std::string& text);
 /// True if a program printed what a page shows. They are compared line by line, except for what depends on the machine:
 ///   - a time (a number and us, ms, s or min) equals any other time;
 ///   - a share of the time in a table of effects ("simulated  24 %", "saves 79 %") equals any other share;
+///   - decimal numbers of five digits and more may differ by a thousandth, because a search's last digits depend on the
+///     compiler;
 ///   - spaces count as one, because the width of a column depends on the two above;
 ///   - the line "..." stands for any number of lines, or none.
 bool shows_the_same(const std::vector<std::string>& shown, const std::vector<std::string>& printed);

@@ -27,7 +27,9 @@ std::string advice(const PickedColour& picked) {
 }
 
 std::string percent_text(double share) {
-    return significant_text(100.0 * share, share < 0.1 ? 1 : 2) + " %";
+    constexpr double hardly = 0.001;
+    if (share < hardly) return "less than 0.1 %";
+    return significant_text(100.0 * share, share < 0.1 ? 1 : share > 0.99 ? 3 : 2) + " %";
 }
 
 // What a palette shows instead, and why.

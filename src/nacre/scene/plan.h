@@ -10,6 +10,7 @@
 #include "nacre/lut/colour_settings.h"
 #include "nacre/lut/planned_lut.h"
 #include "nacre/material/mechanism.h"
+#include "nacre/pick/band/pale_path.h"
 #include "nacre/pick/fit_shape.h"
 #include "nacre/pick/mechanism_search.h"
 #include "nacre/pick/picked_colour.h"
@@ -23,6 +24,7 @@ namespace nacre {
 struct SceneMaterial : Material {
     std::vector<PickedColour> picked;   ///< of the mechanism's picks those that were given as colours
     std::optional<ShapeFit> shape_fit;  ///< of a palette that left its shape open
+    std::vector<PalePath> pale_paths;   ///< of a palette of colours
 };
 
 struct Plan {

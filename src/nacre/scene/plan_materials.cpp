@@ -64,8 +64,10 @@ std::optional<SceneMaterial> Materials::read_material(const std::string& name) {
         searches_.push_back(std::move(*read->search));
         searches_.back().material = name;
     }
-    return SceneMaterial{
-        {name, std::move(read->mechanism), entry->key_where}, std::move(read->picked), std::move(read->shape_fit)};
+    return SceneMaterial{{name, std::move(read->mechanism), entry->key_where},
+                         std::move(read->picked),
+                         std::move(read->shape_fit),
+                         std::move(read->pale_paths)};
 }
 
 std::vector<SceneMaterial> Materials::read() const {

@@ -28,7 +28,7 @@ constexpr double nm_per_unit = 100.0;
 constexpr double difference = 1e-4;    // of the units above, for slopes
 constexpr double longest_step = 0.15;  // in the same units
 constexpr double exact_enough = 1e-9;  // of u' + v', and of XYZ relative to the colour's own Y
-constexpr double rounding = 1e-6;      // by which a level may exceed 1, before it is made 1
+constexpr double rounding = 2e-5;      // by which a level may exceed 1, before it is made 1
 constexpr double damping = 1e-10;      // of the normal equations, where a number makes no difference
 
 double level_of(const Xyz& target, const Xyz& unit) {

@@ -28,8 +28,9 @@ ShownColour shown_colour(const ExactBands& bands, const Light& light, const Xyz&
     const Oklab picked = xyz_to_oklab(colour);
     if (!(picked.lightness > 0.0)) return {{}, 0.0, 1.0};
     if (const double most = brightest(colour); most > 0.0) {
-        const double share = std::min(most, 1.0);
-        return {scaled(colour, share), share, 1.0};
+        constexpr double rounding = 1e-5;  // CIEDE2000 0.0003
+        if (most > 1.0 - rounding) return {colour};
+        return {scaled(colour, most), most, 1.0};
     }
     // The share of the chroma that equals the share of the lightness, by bisection to a tenth of what is visible.
     double inside = 0.0;

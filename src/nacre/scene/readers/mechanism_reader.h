@@ -7,6 +7,7 @@
 #include "nacre/colour/light.h"
 #include "nacre/lut/axis.h"
 #include "nacre/material/mechanism.h"
+#include "nacre/pick/band/pale_path.h"
 #include "nacre/pick/fit_shape.h"
 #include "nacre/pick/mechanism_search.h"
 #include "nacre/pick/picked_colour.h"
@@ -20,6 +21,7 @@ struct ReadMechanism {
     Mechanism mechanism;
     std::vector<PickedColour> picked{};      ///< every pick that is a colour
     std::optional<ShapeFit> shape_fit{};     ///< of a palette that left its shape open
+    std::vector<PalePath> pale_paths{};      ///< of a palette of colours
     std::optional<MaterialSearch> search{};  ///< what picks of other mechanisms led to; the material's name is empty
 };
 

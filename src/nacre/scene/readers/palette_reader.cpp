@@ -59,7 +59,8 @@ PalettePick read_pick(const Table& table, const PickReaders& readers) {
     return pick;
 }
 
-void find_bands(std::vector<PalettePick>& picks, const PickReaders& readers) {
+// @return  what was asked for; empty, if no pick is a colour
+std::vector<ColourOrBand> find_bands(std::vector<PalettePick>& picks, const PickReaders& readers) {
     std::vector<ColourOrBand> asked;
     for (PalettePick& pick : picks) {
         asked.push_back({pick.pick.angle_deg, {}, pick.pick.lobe});
@@ -68,7 +69,7 @@ void find_bands(std::vector<PalettePick>& picks, const PickReaders& readers) {
         asked.back().colour = pick.picked->shown.colour;
     }
     const bool has_colours = std::any_of(picks.begin(), picks.end(), [](const auto& pick) { return !!pick.picked; });
-    if (!has_colours) return;
+    if (!has_colours) return {};
     const std::vector<Lobe> bands = readers.find.bands(asked);
     for (std::size_t i = 0; i < picks.size(); ++i) {
         if (!picks[i].picked) continue;
@@ -78,6 +79,7 @@ void find_bands(std::vector<PalettePick>& picks, const PickReaders& readers) {
         picked.reached = readers.lobe_colour(bands[i]);
         picked.de00 = ciede2000(to_lab(picked.colour, d65_white), to_lab(picked.reached, d65_white));
     }
+    return asked;
 }
 
 // What the scene leaves open is fitted, where picks say anything about it.
@@ -109,12 +111,15 @@ ReadMechanism read_palette(const Table& table, const SceneContext& context) {
     Palette palette;
     palette.shape = table.number_or("shape", allowed_shape, Palette::default_shape);
     if (!table.is_good()) return {std::move(palette)};
-    find_bands(picks, context.picks);
+    const std::vector<ColourOrBand> asked = find_bands(picks, context.picks);
     for (const PalettePick& pick : picks) palette.picks.push_back(pick.pick);
     check_picks_differ(palette, table, table.find("picks")->where);
     const std::optional<ShapeFit> fit = fit_open_shape(table, context.picks, palette);
     if (fit) palette.shape = fit->shape;
-    ReadMechanism read{std::move(palette), {}, fit, {}};
+    std::vector<PalePath> pale;
+    if (!asked.empty())
+        pale = pale_paths_with_advice(palette, asked, context.picks.lobe_colour, context.picks.find.bands);
+    ReadMechanism read{std::move(palette), {}, fit, std::move(pale), {}};
     for (std::size_t i = 0; i < picks.size(); ++i) {
         if (!picks[i].picked) continue;
         picks[i].picked->pick = i;

@@ -170,7 +170,20 @@ const std::vector<Mistake> mistakes{
     {"NoToml", "[material.m\n", ""},
     {"DuplicateKey", scene("shape = 1\nshape = 0\n"), ""},
     {"UnknownSwatch", scene("[swatch.a]\ndraw = \"cube\"\n"),
-     ":5:8 [swatch.a]: unknown swatch \"cube\"; known: plane, palette, strip, sphere, picks, contact_sheet"},
+     ":5:8 [swatch.a]: unknown swatch \"cube\"; known: plane, palette, strip, sphere, bubble, disc, puddle, picks, "
+     "contact_sheet"},
+    {"ExposureOfAPlane", scene("[swatch.a]\ndraw = \"plane\"\nexposure = 1\n"),
+     ":6:12 [swatch.a]: exposure has no meaning for draw = \"plane\"; remove it, or draw a strip, sphere, bubble, disc "
+     "or "
+     "puddle"},
+    {"ExposureBeyondReason", scene("[swatch.a]\ndraw = \"sphere\"\nexposure = 200\n"),
+     ":6:12 [swatch.a]: exposure = 200 is out of range; allowed [-20, 20] EV"},
+    {"AxisOfASphere", scene("[swatch.a]\ndraw = \"sphere\"\nx = \"cos_theta\"\n"),
+     ":6:5 [swatch.a]: x has no meaning for draw = \"sphere\"; remove it, or draw a strip"},
+    {"UnknownAxisOfAStrip", scene("[swatch.a]\ndraw = \"strip\"\nx = \"theta\"\n"),
+     ":6:5 [swatch.a]: unknown axis \"theta\"; known: sqrt_cos_theta, cos_theta, theta_deg"},
+    {"DiscOfAPalette", scene("[swatch.a]\ndraw = \"disc\"\n"),
+     ":5:8 [swatch.a]: draw = \"disc\" shows a grating, and material \"m\" is a palette; draw a sphere"},
     {"SwatchOfNothing", scene("[swatch.a]\n"), ":4:1 [swatch.a]: draw is missing; it is required"},
     {"LightWithoutBlue",
      scene("[light]\nilluminant = { wavelength_nm = [360, 399, 400, 401, 402, 830], power = [0, 0, 1, 1, 0, 0] }\n"),
@@ -262,7 +275,8 @@ const std::vector<Mistakes> many_mistakes{
      "s.toml:17:8 [lut.a]: size = 100 is not a power of two; allowed 2, 4, 8 ... 4096 (engines rescale other sizes)\n"
      "s.toml:18:10 [lut.a]: unknown format \"double\"; known: half, float\n"
      "s.toml:20:12 [lut.c]: unknown material \"c\"; known: a, b\n"
-     "s.toml:22:8 [swatch.s]: unknown swatch \"cube\"; known: plane, palette, strip, sphere, picks, contact_sheet"},
+     "s.toml:22:8 [swatch.s]: unknown swatch \"cube\"; known: plane, palette, strip, sphere, bubble, disc, puddle, "
+     "picks, contact_sheet"},
     {"OfLayers",
      "[material.m]\nmechanism = \"stack\"\nlayers = [ { ior = 1.5, thickness_nm = 1 },\n"
      "  { index = 1.5, thickness = 3 },\n  { repeat = 2, layers = [ { index = 0, thickness_nm = 5 } ] } ]\ntilt_deg = "

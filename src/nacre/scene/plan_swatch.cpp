@@ -1,6 +1,7 @@
 // [swatch.NAME]: what a picture shows, as the jobs that are baked for it.
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -12,6 +13,12 @@
 
 namespace nacre {
 namespace {
+
+// Whether it is an object in a light.
+bool is_lit(SwatchKind kind) {
+    return kind == SwatchKind::sphere || kind == SwatchKind::bubble || kind == SwatchKind::disc ||
+           kind == SwatchKind::puddle;
+}
 
 // Leaves the swatch without jobs if the LUT or its material has mistakes.
 void show_lut(const Table& table, const Value& value, const SceneParts& parts,
@@ -65,6 +72,49 @@ void show_all_luts(const Table& table, const SceneParts& parts, PlannedSwatch& s
     }
 }
 
+void refuse(const Table& table, std::string_view key, SwatchKind kind, std::string_view draws) {
+    if (table.find(key) == nullptr) return;
+    table.note_at(key, std::string(key) + " has no meaning for draw = " + in_quotes(name_of(swatch_words, kind)) +
+                           "; remove it, or draw " + std::string(draws));
+}
+
+// What only some pictures know: the exposure, and what a strip is even in.
+void read_view(const Table& table, PlannedSwatch& swatch) {
+    constexpr Allowed allowed_ev{-20.0, 20.0, "EV"};
+    const bool is_strip = swatch.kind == SwatchKind::strip;
+    if (!is_strip && !is_lit(swatch.kind) && swatch.kind != SwatchKind::contact_sheet)
+        refuse(table, "exposure", swatch.kind, "a strip, sphere, bubble, disc or puddle");
+    if (!is_strip) refuse(table, "x", swatch.kind, "a strip");
+    if (table.find("exposure") != nullptr) swatch.exposure_ev = table.number("exposure", allowed_ev);
+    const Value* x = table.find("x");
+    if (x == nullptr) return;
+    const std::string& name = table.checked_text("x", *x);
+    std::vector<std::string> known;
+    for (const AxisKind& kind : axis_kinds()) {
+        if (kind.quantity != Quantity::incidence) continue;
+        known.emplace_back(kind.name);
+        if (kind.name == name) swatch.shown_axis = &kind;
+    }
+    if (swatch.shown_axis->name != name)
+        table.note(x->where, "unknown axis " + in_quotes(name) + "; known: " + comma_separated(known));
+}
+
+// An object shows a material that depends on what the object shows.
+void check_suits(const Table& table, const PlannedSwatch& swatch) {
+    if (swatch.jobs.empty()) return;
+    const Material& material = swatch.jobs.front().material;
+    const Quantity quantity = quantity_of(material.mechanism);
+    const auto refuse_material = [&](std::string_view shown, std::string_view instead) {
+        table.note_at("draw", "draw = " + in_quotes(name_of(swatch_words, swatch.kind)) + " shows " +
+                                  std::string(shown) + ", and material " + in_quotes(material.name) + " is a " +
+                                  std::string(mechanism_name(material.mechanism)) + "; draw " + std::string(instead));
+    };
+    if (swatch.kind == SwatchKind::disc && quantity != Quantity::grating_u) refuse_material("a grating", "a sphere");
+    const bool needs_angle = swatch.kind == SwatchKind::bubble || swatch.kind == SwatchKind::puddle;
+    if (needs_angle && quantity != Quantity::incidence)
+        refuse_material("colours that depend on the angle to the normal", "a sphere");
+}
+
 // @return nothing if there are mistakes
 std::optional<PlannedSwatch> read_swatch(const Table& table, const Table::Entry& entry, const SceneParts& parts,
                                          const std::vector<std::string>& lut_names) {
@@ -77,7 +127,8 @@ std::optional<PlannedSwatch> read_swatch(const Table& table, const Table::Entry&
     swatch.display = table.text_or("display", "");
     swatch.view = table.text_or("view", "");
     swatch.gamut = read_word(table, "gamut", "gamut", swatch_gamut_words);
-    const bool may_show_lut = swatch.kind == SwatchKind::strip || swatch.kind == SwatchKind::sphere;
+    read_view(table, swatch);
+    const bool may_show_lut = swatch.kind == SwatchKind::strip || is_lit(swatch.kind);
     const Value* lut = may_show_lut ? table.find("lut") : nullptr;
     if (swatch.kind == SwatchKind::contact_sheet) {
         show_all_luts(table, parts, swatch);
@@ -86,6 +137,7 @@ std::optional<PlannedSwatch> read_swatch(const Table& table, const Table::Entry&
     } else {
         show_material(table, parts, swatch);
     }
+    check_suits(table, swatch);
     const bool shows_one = swatch.kind != SwatchKind::contact_sheet && !swatch.jobs.empty();
     swatch.title = table.text_or("title", shows_one ? swatch.jobs.front().material.name : swatch.name);
     table.expect_all_read();

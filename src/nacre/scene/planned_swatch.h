@@ -2,11 +2,13 @@
 
 #include <array>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "nacre/base/where.h"
 #include "nacre/base/words.h"
+#include "nacre/lut/axis_kinds.h"
 #include "nacre/lut/colour_settings.h"
 #include "nacre/lut/gamut.h"
 #include "nacre/lut/job.h"
@@ -15,13 +17,16 @@
 namespace nacre {
 
 /// What a swatch shows: see [swatch.NAME] in the documentation of scenes.
-enum class SwatchKind { plane, palette, strip, sphere, picks, contact_sheet };
+enum class SwatchKind { plane, palette, strip, sphere, bubble, disc, puddle, picks, contact_sheet };
 
 inline constexpr std::array swatch_words{
     Word<SwatchKind>{"plane", SwatchKind::plane, "peak wavelength against angle, with the picks"},
     Word<SwatchKind>{"palette", SwatchKind::palette, "width against height at a pick's peak"},
     Word<SwatchKind>{"strip", SwatchKind::strip, "the LUT with its axis"},
-    Word<SwatchKind>{"sphere", SwatchKind::sphere, "a lit ball"},
+    Word<SwatchKind>{"sphere", SwatchKind::sphere, "a ball in a studio"},
+    Word<SwatchKind>{"bubble", SwatchKind::bubble, "a hollow ball with thin walls that light shines through"},
+    Word<SwatchKind>{"disc", SwatchKind::disc, "a grating as the circular grooves of a compact disc"},
+    Word<SwatchKind>{"puddle", SwatchKind::puddle, "a puddle under an overcast sky"},
     Word<SwatchKind>{"picks", SwatchKind::picks, "picked colours beside those that are reached"},
     Word<SwatchKind>{"contact_sheet", SwatchKind::contact_sheet, "all LUTs of the scene, or of its variants, labelled"},
 };
@@ -38,18 +43,24 @@ inline constexpr std::array swatch_gamut_words{
     Word<Gamut>{"clip", Gamut::clip, "cut at what the display shows"},
 };
 
+/// The axis theta_deg.
+const AxisKind& even_degrees();
+
 /// One picture: <name>.png.
 struct PlannedSwatch {
     std::string name;
     SwatchKind kind = SwatchKind::strip;
     std::string title;
-    std::vector<Job> jobs;  ///< plane, strip, sphere: one; palette: one per pick shown; contact sheet: one per LUT
+    std::vector<Job> jobs;                  ///< one; of a palette one per pick shown, of a contact sheet one per LUT
     std::vector<std::string> labels;        ///< of a contact sheet, one per job
     SwatchKind panels = SwatchKind::strip;  ///< of a contact sheet: strip or sphere
     std::vector<PickedColour> picked;       ///< of the material, those that were given as colours
     LutColour colour;                       ///< of the LUT that it shows, or of the scene
     std::string display;                    ///< empty: the config's default
     std::string view;
+    std::optional<double> exposure_ev;  ///< of a strip and of objects; none: automatic
+    /// What a strip is even in, where it shows the angle to the normal: degrees.
+    const AxisKind* shown_axis = &even_degrees();
     Gamut gamut = Gamut::compress;  ///< compress or clip: how colours that an sRGB display lacks are shown
     Where where;
 };
@@ -57,8 +68,8 @@ struct PlannedSwatch {
 /// The images that a swatch of a material is made of: a swatch is a bake, not a second renderer.
 ///
 /// plane: peak wavelength (x) against angle (y). palette: width (x) against height (y), one job per pick, at the pick's
-/// angle and with that pick as its material's only one. strip, sphere and picks: the default LUT, finely
-/// sampled. A contact sheet shows LUTs and no material.
+/// angle and with that pick as its material's only one. A contact sheet shows LUTs and no material. All others: the
+/// default LUT, finely sampled.
 std::vector<Job> swatch_jobs(SwatchKind kind, const Material& material, const std::shared_ptr<const Light>& light);
 
 }  // namespace nacre

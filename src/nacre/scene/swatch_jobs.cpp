@@ -20,16 +20,9 @@ constexpr int strip_width = 1100;
 constexpr double shortest_peak_nm = 380.0;
 constexpr double longest_peak_nm = 780.0;
 
-Axis angle_axis(std::string_view name) {
-    for (const AxisKind& kind : axis_kinds()) {
-        if (kind.name == name) return {&kind, {}, 0.0, 1.0};
-    }
-    return default_axis();
-}
-
 Job plane_job(Job job) {
     job.x = parameter_axis(job.material.mechanism, "peak_nm", shortest_peak_nm, longest_peak_nm);
-    job.y = angle_axis("theta_deg");
+    job.y = Axis{&even_degrees(), {}, 0.0, 1.0};
     job.width = plane_width;
     job.height = plane_height;
     return job;
@@ -62,6 +55,13 @@ std::vector<Job> palette_jobs(Job job) {
 
 }  // namespace
 
+const AxisKind& even_degrees() {
+    for (const AxisKind& kind : axis_kinds()) {
+        if (kind.name == "theta_deg") return kind;
+    }
+    return default_axis_kind(Quantity::incidence);
+}
+
 std::vector<Job> swatch_jobs(SwatchKind kind, const Material& material, const std::shared_ptr<const Light>& light) {
     Job job;
     job.material = material;
@@ -73,6 +73,9 @@ std::vector<Job> swatch_jobs(SwatchKind kind, const Material& material, const st
             return palette_jobs(std::move(job));
         case SwatchKind::strip:
         case SwatchKind::sphere:
+        case SwatchKind::bubble:
+        case SwatchKind::disc:
+        case SwatchKind::puddle:
         case SwatchKind::picks:
         case SwatchKind::contact_sheet:
             break;

@@ -6,20 +6,12 @@
 #include <cstddef>
 #include <string_view>
 #include <utility>
-#include <variant>
 
-#include "nacre/accuracy/choose_sampling.h"
-#include "nacre/base/image.h"
 #include "nacre/base/text.h"
-#include "nacre/colour/colour_types.h"
 #include "nacre/colour/light.h"
 #include "nacre/colour/observer.h"
-#include "nacre/lut/bake.h"
 #include "nacre/lut/job.h"
-#include "nacre/lut/sampler.h"
 #include "nacre/material/geometry.h"
-#include "nacre/optics/palette.h"
-#include "nacre/shade/spectral_sampling.h"
 
 namespace nacre {
 namespace {
@@ -90,7 +82,7 @@ std::string geometric_title(const AxisKind& kind) {
         case Quantity::incidence:
             break;
     }
-    return "angle (" + std::string(kind.name) + ")";
+    return "angle";
 }
 
 }  // namespace
@@ -122,102 +114,56 @@ std::string rounded_text(double value, int digits) {
     return number_text(std::round(value * scale) / scale + 0.0);
 }
 
+namespace {
+
+// Labels as many ticks as have room, in the given order.
+void give_labels(std::vector<Tick>& ticks, const std::vector<std::size_t>& order,
+                 const std::vector<std::string>& labels, int length_px, bool is_horizontal) {
+    for (const std::size_t i : order) {
+        const bool has_room = std::none_of(ticks.begin(), ticks.end(), [&](const Tick& other) {
+            const double distance_px = std::abs(other.coordinate - ticks[i].coordinate) * (length_px - 1);
+            const double needed_px =
+                is_horizontal ? 0.5 * (label_width_px(labels[i]) + label_width_px(other.label)) + label_gap_px
+                              : line_spacing * label_px;
+            return !other.label.empty() && distance_px < needed_px;
+        });
+        if (has_room) ticks[i].label = labels[i];
+    }
+}
+
+}  // namespace
+
 std::vector<Tick> axis_ticks(const Axis& axis, int length_px, bool is_horizontal) {
     const bool is_degrees = is_in_degrees(axis) || axis.parameter.allowed.unit == "degrees";
     const std::vector<double> values = tick_values(axis, length_px, is_horizontal);
     std::vector<Tick> ticks;
     std::vector<std::size_t> order;
+    std::vector<std::string> labels;
     for (const double value : values) {
         order.push_back(ticks.size());
         ticks.push_back({axis_coordinate(axis, value), {}});
+        labels.push_back(rounded_text(value, 9) + (is_degrees ? "°" : ""));
     }
     std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
         return label_rank(axis, values[a]) < label_rank(axis, values[b]);
     });
-    for (const std::size_t i : order) {
-        const std::string label = rounded_text(values[i], 9) + (is_degrees ? "°" : "");
-        const bool has_room = std::none_of(ticks.begin(), ticks.end(), [&](const Tick& other) {
-            const double distance_px = std::abs(other.coordinate - ticks[i].coordinate) * (length_px - 1);
-            const double needed_px = is_horizontal
-                                         ? 0.5 * (label_width_px(label) + label_width_px(other.label)) + label_gap_px
-                                         : line_spacing * label_px;
-            return !other.label.empty() && distance_px < needed_px;
-        });
-        if (has_room) ticks[i].label = label;
-    }
+    give_labels(ticks, order, labels, length_px, is_horizontal);
     return ticks;
 }
 
-namespace {
-
-// The effort limit of a picture, in reflectances of a film: a few seconds. A more expensive one is baked smaller and
-// enlarged.
-constexpr double most_panel_effort = 3e9;
-
-// By how much both sides are divided.
-double panel_reduction(const Job& job) {
-    if (std::holds_alternative<Palette>(job.material.mechanism)) return 1.0;
-    Sampler sampler(job);
-    sampler.at(0.5, 0.5);
-    const double pixels = static_cast<double>(job.width) * job.height;
-    const double effort = pixels * static_cast<double>(sampler.work().samples) *
-                          effort_per_sample(mechanism_at(job, 0.5, 0.5), job.sampling.slices);
-    return std::max(1.0, std::sqrt(effort / most_panel_effort));
-}
-
-Xyz mixed(double share, const Xyz& a, const Xyz& b) {
-    return {std::lerp(a.x, b.x, share), std::lerp(a.y, b.y, share), std::lerp(a.z, b.z, share)};
-}
-
-// Linear between the pixels of a smaller picture, whose first and last are at the edges as the larger one's.
-class Enlarged {
-public:
-    Enlarged(Image<Xyz> small, int width, int height) : small_(std::move(small)), width_(width), height_(height) {}
-
-    Xyz at(int column, int row) const {
-        if (small_.width() == width_ && small_.height() == height_) return small_.at(column, row);
-        const auto [left, right, across] = place(column, width_, small_.width());
-        const auto [below, above, along] = place(row, height_, small_.height());
-        return mixed(along, mixed(across, small_.at(left, below), small_.at(right, below)),
-                     mixed(across, small_.at(left, above), small_.at(right, above)));
+std::vector<Tick> texel_ticks(const AxisKind& shown, const AxisKind& texels, int length_px) {
+    constexpr int tenths = 10;
+    std::vector<Tick> ticks;
+    std::vector<std::size_t> order{0, tenths};  // the ends first
+    std::vector<std::string> labels;
+    for (int i = 0; i <= tenths; ++i) {
+        const double coordinate = static_cast<double>(i) / tenths;
+        ticks.push_back({shown.coordinate(texels.argument_at(coordinate)), {}});
+        labels.push_back(rounded_text(coordinate));
+        if (i > 0 && i < tenths) order.push_back(static_cast<std::size_t>(i));
     }
-
-private:
-    struct Place {
-        int low, high;
-        double share;
-    };
-    static Place place(int pixel, int many, int few) {
-        if (many < 2 || few < 2) return {0, 0, 0.0};
-        const double at = static_cast<double>(pixel) * (few - 1) / (many - 1);
-        const int low = std::min(static_cast<int>(at), few - 2);
-        return {low, low + 1, at - low};
-    }
-
-    Image<Xyz> small_;
-    int width_;
-    int height_;
-};
-
-}  // namespace
-
-Panel bake_panel(const Job& job, const PlotArea& area) {
-    Job sized = job;
-    sized.width = area.width;
-    sized.height = job.y ? area.height : 1;
-    sized.sampling = choose_sampling(sized, {0.1, 1.0, 0.1, 0.0}).sampling;
-    if (const double reduction = panel_reduction(sized); job.y && reduction > 1.0) {
-        constexpr double smallest = 64.0;
-        sized.width = static_cast<int>(std::max(area.width / reduction, smallest));
-        sized.height = static_cast<int>(std::max(area.height / reduction, smallest));
-    }
-    const Enlarged baked(bake(sized), area.width, job.y ? area.height : 1);
-    Panel panel{area.left, area.top, Image<Xyz>(area.width, area.height)};
-    for (int row = 0; row < area.height; ++row) {
-        const int from_row = job.y ? area.height - 1 - row : 0;
-        for (int column = 0; column < area.width; ++column) panel.image.at(column, row) = baked.at(column, from_row);
-    }
-    return panel;
+    give_labels(ticks, order, labels, length_px, true);
+    return ticks;
 }
 
 void draw_frame(Swatch& swatch, const PlotArea& area) {
@@ -226,18 +172,34 @@ void draw_frame(Swatch& swatch, const PlotArea& area) {
         Rectangle{{box.left - 1.0, box.top - 1.0, box.right + 1.0, box.bottom + 1.0}, 1.0, {line_grey}});
 }
 
-void draw_x_axis(Swatch& swatch, const PlotArea& area, const Axis& axis, const std::string& title) {
-    const double bottom = area.box().bottom;
-    for (const Tick& tick : axis_ticks(axis, area.width, true)) {
+namespace {
+
+// Below a horizontal line.
+void draw_x_scale(Swatch& swatch, const PlotArea& area, double line, const std::vector<Tick>& ticks,
+                  const std::string& title) {
+    for (const Tick& tick : ticks) {
         // Filled boxes on whole pixels, because they are the sharpest lines there are.
         const double x = std::floor(area.at(tick.coordinate, 0.0).x);
         const double length = tick.label.empty() ? 0.6 * tick_px : tick_px;
-        swatch.overlays.push_back(Rectangle{{x, bottom + 1.0, x + 1.0, bottom + 1.0 + length}, {}, {dim_grey}});
+        swatch.overlays.push_back(Rectangle{{x, line + 1.0, x + 1.0, line + 1.0 + length}, {}, {dim_grey}});
         if (tick.label.empty()) continue;
-        swatch.overlays.push_back(Text{tick.label, {x + 0.5, bottom + 34.0}, label_px, Align::centre, text_grey});
+        swatch.overlays.push_back(Text{tick.label, {x + 0.5, line + 34.0}, label_px, Align::centre, text_grey});
     }
-    const Point middle{area.left + 0.5 * area.width, bottom + 72.0};
+    const Point middle{area.left + 0.5 * area.width, line + 72.0};
     swatch.overlays.push_back(Text{title, middle, label_px, Align::centre, dim_grey, 1.15 * area.width});
+}
+
+}  // namespace
+
+void draw_x_axis(Swatch& swatch, const PlotArea& area, const Axis& axis, const std::string& title) {
+    draw_x_scale(swatch, area, area.box().bottom, axis_ticks(axis, area.width, true), title);
+}
+
+void draw_texel_scale(Swatch& swatch, const PlotArea& area, const AxisKind& shown, const AxisKind& texels) {
+    const double line = area.box().bottom + texel_scale_height;
+    swatch.overlays.push_back(Rectangle{{area.box().left, line, area.box().right, line + 1.0}, {}, {line_grey}});
+    draw_x_scale(swatch, area, line, texel_ticks(shown, texels, area.width),
+                 "texture coordinate (" + std::string(texels.name) + ")");
 }
 
 void draw_y_axis(Swatch& swatch, const PlotArea& area, const Axis& axis, const std::string& title) {

@@ -34,7 +34,7 @@ struct PlotArea {
 /// The inverse of an axis: the coordinate of an angle in degrees or of a parameter's value. In [0, 1] within the axis.
 double axis_coordinate(const Axis& axis, double value);
 
-/// "peak wavelength of every pick (nm)", "angle (sqrt_cos_theta)"
+/// "peak wavelength of every pick (nm)", "angle"
 std::string axis_title(const Axis& axis);
 
 /// A mark on an axis.
@@ -49,14 +49,19 @@ struct Tick {
 /// @param is_horizontal   labels stand side by side, not above each other
 std::vector<Tick> axis_ticks(const Axis& axis, int length_px, bool is_horizontal);
 
+/// The tenths of a texture's coordinate, on an axis that shows the angle in another form.
+/// @param shown   what the picture is even in
+/// @param texels  what the texture is even in
+std::vector<Tick> texel_ticks(const AxisKind& shown, const AxisKind& texels, int length_px);
+
 /// "460", "78.3": at most `digits` behind the point.
 std::string rounded_text(double value, int digits = 1);
 
-/// Bakes the job at the area's size, whatever its own is. A job without y fills all rows alike.
-Panel bake_panel(const Job& job, const PlotArea& area);
-
 /// The frame, the ticks with their labels and the title of the x axis.
 void draw_x_axis(Swatch& swatch, const PlotArea& area, const Axis& axis, const std::string& title);
+/// A second scale below that axis: where the texels of the LUT are. The picture is higher by `texel_scale_height`.
+void draw_texel_scale(Swatch& swatch, const PlotArea& area, const AxisKind& shown, const AxisKind& texels);
+inline constexpr int texel_scale_height = 90;
 /// The same for y; its title stands above the axis, so that it can be read horizontally.
 void draw_y_axis(Swatch& swatch, const PlotArea& area, const Axis& axis, const std::string& title);
 void draw_frame(Swatch& swatch, const PlotArea& area);

@@ -85,6 +85,14 @@ void draw_caption(Swatch& swatch, const PlotArea& area, const std::string& capti
 
 }  // namespace
 
+bool draw_outside_patch(Swatch& swatch, const Panel& panel, const LutSpace& space) {
+    if (!space.to_rgb) return false;
+    const Image<char> outside = outside_of(panel.image, false, space);
+    if (std::find(outside.begin(), outside.end(), 1) == outside.end()) return false;
+    hatch(swatch, {panel.left, panel.top, panel.image.width(), panel.image.height()}, outside);
+    return true;
+}
+
 void draw_outside(Swatch& swatch, const PlotArea& area, const Image<Xyz>& colours, bool is_strip,
                   const LutSpace& space) {
     if (!space.to_rgb) return;

@@ -31,4 +31,8 @@ inline constexpr double outside_air_px = 3.0;
 void draw_outside(Swatch& swatch, const PlotArea& area, const Image<Xyz>& colours, bool is_strip,
                   const LutSpace& space);
 
+/// The same hatching on a panel of one colour, without a caption.
+/// @return whether the colour is outside
+bool draw_outside_patch(Swatch& swatch, const Panel& panel, const LutSpace& space);
+
 }  // namespace nacre

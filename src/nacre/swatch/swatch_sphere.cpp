@@ -4,198 +4,148 @@
 #include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <glm/vec3.hpp>
-
-#include "nacre/accuracy/choose_sampling.h"
-#include "nacre/colour/colour_types.h"
-#include "nacre/lut/axis.h"
-#include "nacre/lut/bake.h"
-#include "nacre/lut/job.h"
-#include "nacre/material/geometry.h"
-#include "nacre/material/mechanism.h"
-#include "nacre/swatch/swatch_gamut.h"
+#include <numbers>
+#include <optional>
 
 namespace nacre {
 namespace {
 
-constexpr int table_size = 1024;
-constexpr int rim_samples = 4;
-constexpr double wall_luminance = 0.017;  // behind the ball; about 0.14 as a display shows it
-constexpr double corner_fade = 0.62;      // what the corners lose of it
+constexpr double grazing_cos = 0.5;  // from 60 degrees on the rim may be brighter than white
 
-const glm::dvec3 eye{0.0, 0.0, 1.0};
-const glm::dvec3 up{0.0, 1.0, 0.0};
-const glm::dvec3 towards_light = glm::normalize(glm::dvec3{-0.38, 0.50, 0.78});
-const glm::dvec3 half_vector = glm::normalize(towards_light + eye);
-
-Xyz operator+(Xyz a, Xyz b) {
-    return {a.x + b.x, a.y + b.y, a.z + b.z};
-}
-Xyz operator*(double factor, Xyz colour) {
-    return {factor * colour.x, factor * colour.y, factor * colour.z};
-}
-
-// Linear interpolation, as a texture unit does it. @param coordinate  on the table's axis
-Xyz colour_at(const SphereTable& table, double coordinate) {
-    const Image<Xyz>& colours = table.colours;
-    const double position = std::clamp(coordinate, 0.0, 1.0) * (colours.width() - 1);
-    const int texel = std::min(static_cast<int>(position), colours.width() - 2);
-    const double rest = position - texel;
-    return (1.0 - rest) * colours.at(texel, 0) + rest * colours.at(texel + 1, 0);
-}
-
-Xyz colour_at_cos(const SphereTable& table, double cos_theta) {
-    return colour_at(table, std::sqrt(std::clamp(cos_theta, 0.0, 1.0)));
-}
-
-Xyz glossy_shade(const SphereTable& table, const glm::dvec3& normal) {
-    const double wrapped = std::max(glm::dot(normal, towards_light) + Ball::wrap, 0.0) / (1.0 + Ball::wrap);
-    const double lit = Ball::light * wrapped * wrapped;
-    const double sky = Ball::surround * 0.5 * (1.0 + glm::dot(normal, up));
-    return lit * colour_at_cos(table, glm::dot(normal, half_vector)) +
-           sky * colour_at_cos(table, glm::dot(normal, eye));
-}
-
-// ---- lamps nearby
-
-struct Lamp {
-    glm::dvec3 at;
-    double power;
-};
-const std::array<Lamp, 3> lamps{{{{-0.9, 1.5, 2.4}, 1.0}, {{1.5, 1.0, 2.0}, 0.55}, {{0.3, -1.3, 2.6}, 0.35}}};
+// Chosen by eye: for lights on two sides of the ball and one below.
+const std::array<Lamp, 3> ball_lamps{{{{-0.9, 1.5, 2.4}, 1.0}, {{1.5, 1.0, 2.0}, 0.55}, {{0.3, -1.3, 2.6}, 0.35}}};
+constexpr double room_light = 0.35;  // what scatters of the studio, as if all of it came from the side
+constexpr double turned_across = 0.5;
+constexpr double dull_metal = 0.3;     // what a ruled metal mirrors straight, about
+constexpr double stray_of_ball = 0.2;  // see grooves_seen
 const glm::dvec3 groove_axis = glm::normalize(glm::dvec3{0.18, 0.52, 0.84});
 
-struct Lit {
-    glm::dvec3 towards;  // the lamp
-    double light;        // what arrives of it
+// Where a ray enters and leaves the ball.
+struct Chord {
+    glm::dvec3 enters, leaves;
 };
+std::optional<Chord> chord_of(const Ray& ray) {
+    const double middle = -glm::dot(ray.from, ray.way);
+    const double half_squared = 1.0 + middle * middle - glm::dot(ray.from, ray.from);
+    if (half_squared < 0.0 || middle < 0.0) return {};
+    const double half = std::sqrt(half_squared);
+    return Chord{ray.from + (middle - half) * ray.way, ray.from + (middle + half) * ray.way};
+}
+
+// 0 at the upper pole, 1 at the lower one.
+double along_meridian(const glm::dvec3& point) {
+    return 0.5 - std::asin(std::clamp(point.y, -1.0, 1.0)) * std::numbers::inv_pi;
+}
+
+Ray mirrored_ray(const glm::dvec3& point, const glm::dvec3& normal, const glm::dvec3& way) {
+    return {point, way - 2.0 * glm::dot(way, normal) * normal};
+}
+
+Xyz glossy(const LitTable& table, const glm::dvec3& normal, const Ray& ray) {
+    const double cos_theta = -glm::dot(normal, ray.way);
+    const double along = along_meridian(normal);
+    const double light = studio_luminance(mirrored_ray(normal, normal, ray.way), blur_rad(table, along));
+    const Xyz mirrored = light * mirrored_at(table, cos_theta, along);
+    if (table.scattered.size() == 0) return mirrored;
+    const double coordinate = std::sqrt(std::clamp(cos_theta, 0.0, 1.0));
+    return mirrored + studio_irradiance(normal) * colour_at(table.scattered, coordinate, along);
+}
+
+Xyz grooved(const LitTable& table, const glm::dvec3& normal, const Ray& ray) {
+    const glm::dvec3 tangent = glm::cross(groove_axis, normal);
+    if (glm::dot(tangent, tangent) < 1e-9) return {};
+    const glm::dvec3 b = glm::normalize(tangent);
+    Xyz seen;
+    for (const Lamp& lamp : ball_lamps) {
+        Lit lit = lit_at(normal, lamp);
+        // Light that only grazes the ball fades, so that arcs do not end at an edge.
+        lit.light *= std::clamp(glm::dot(normal, lit.towards) / 0.25, 0.0, 1.0);
+        seen =
+            seen + grooves_seen(table, lit, -ray.way, b, glm::cross(b, normal), stray_of_ball, along_meridian(normal));
+    }
+    return seen;
+}
+
+// max(cos, 0) with a soft edge of the shade, as of a large lamp: a parabola from -soft to soft.
+double facing(double cos_lamp) {
+    constexpr double soft = 0.3;
+    if (cos_lamp >= soft) return cos_lamp;
+    const double above = std::max(cos_lamp + soft, 0.0);
+    return above * above / (4.0 * soft);
+}
+
+Xyz scattered(const LitTable& table, const glm::dvec3& normal, const Ray& ray) {
+    const Lit lit = lit_at(normal, ball_lamps.front());
+    const double in = facing(glm::dot(normal, lit.towards));
+    const double out = std::max(-glm::dot(normal, ray.way), 0.0);
+    const double share = in + out > 0.0 ? 2.0 * in / (in + out) : 0.0;
+    const double turned = 0.5 + 0.5 * glm::dot(lit.towards, ray.way);
+    const double along = along_meridian(normal);
+    return (lit.light * share) * colour_at(table.mirrored, turned, along) +
+           (room_light * studio_irradiance(normal)) * colour_at(table.mirrored, turned_across, along);
+}
+
+Xyz studio_grey(const Ray& ray) {
+    return grey(studio_luminance(ray, 0.0));
+}
+
+// (white - m) / (white + m), times the light.
+Xyz shining_through(double light, const Xyz& m) {
+    const auto part = [&](double white, double colour) {
+        return light * white * std::max(0.0, white - colour) / (white + colour);
+    };
+    return {part(d65_white.x, m.x), part(d65_white.y, m.y), part(d65_white.z, m.z)};
+}
+
+}  // namespace
+
+Camera ball_camera() {
+    return camera_at({0.0, 0.8, 7.0}, {0.0, -0.03, 0.0}, 0.192);
+}
+
 Lit lit_at(const glm::dvec3& point, const Lamp& lamp) {
     const glm::dvec3 way = lamp.at - point;
     return {glm::normalize(way), lamp.power * glm::dot(lamp.at, lamp.at) / glm::dot(way, way)};
 }
 
-// @param b,t  along the grooves and across them
-Xyz arcs(const SphereTable& table, const glm::dvec3& normal, const glm::dvec3& b, const glm::dvec3& t) {
-    constexpr double width = 0.2;  // how far light strays along the grooves, of which none is quite straight
-    Xyz seen;
-    for (const Lamp& lamp : lamps) {
-        const Lit lit = lit_at(normal, lamp);
-        const double facing = glm::dot(normal, lit.towards);
-        if (facing <= 0.0) continue;
-        const glm::dvec3 sum = lit.towards + eye;
-        const double w = glm::dot(b, sum) / width;
-        // Light that only grazes the ball fades, so that arcs do not end at an edge.
-        const double arc = lit.light * std::min(facing / 0.25, 1.0) * std::exp(-0.5 * w * w);
-        seen = seen + arc * colour_at(table, 0.5 * std::abs(glm::dot(t, sum)));
-    }
-    return seen;
+Xyz grooves_seen(const LitTable& table, const Lit& lit, const glm::dvec3& towards_eye, const glm::dvec3& along_grooves,
+                 const glm::dvec3& across_grooves, double straying, double along) {
+    const glm::dvec3 sum = lit.towards + towards_eye;
+    const double w = glm::dot(along_grooves, sum) / straying;
+    constexpr double unseen = 32.0;  // exp(-16) is 1e-7
+    if (w * w > unseen) return {};
+    const double u = std::abs(glm::dot(across_grooves, sum));
+    return (lit.light * std::exp(-0.5 * w * w)) * colour_at(table.mirrored, 0.5 * u, along);
 }
 
-Xyz grooved_shade(const SphereTable& table, const glm::dvec3& normal) {
-    const double facing = std::max(glm::dot(normal, lit_at(normal, lamps.front()).towards), 0.0);
-    const double body = table.brightest * (0.045 * facing * facing + 0.006 * (1.0 + glm::dot(normal, up)));
-    const Xyz seen = xyz_from_chromaticity(d65_chromaticity, body);
-    const glm::dvec3 along = glm::cross(groove_axis, normal);
-    if (glm::dot(along, along) < 1e-9) return seen;
-    const glm::dvec3 b = glm::normalize(along);
-    return seen + arcs(table, normal, b, glm::cross(b, normal));
-}
-
-Xyz scattered_shade(const SphereTable& table, const glm::dvec3& normal) {
-    const Lit lit = lit_at(normal, lamps.front());
-    const double in = std::max(glm::dot(normal, lit.towards), 0.0);
-    const double out = std::max(glm::dot(normal, eye), 0.0);
-    const double share = in + out > 0.0 ? 2.0 * in / (in + out) : 0.0;
-    return (lit.light * share) * colour_at(table, 0.5 - 0.5 * glm::dot(lit.towards, eye));
-}
-
-double brightest_component(Xyz colour) {
-    const Rgb rgb = linear_rec709(colour);
-    return std::max({rgb.r, rgb.g, rgb.b});
-}
-
-// Falls with the square of the distance, so that it is flat behind the ball.
-Xyz wall(double x, double y, int width, int height) {
-    const double across = 2.0 * x / width - 1.0;
-    const double down = 2.0 * y / height - 1.0;
-    const double distance_squared = 0.5 * (across * across + down * down);
-    return xyz_from_chromaticity(d65_chromaticity, wall_luminance * (1.0 - corner_fade * distance_squared));
-}
-
-}  // namespace
-
-SphereTable sphere_table(const Job& job) {
-    const Quantity quantity = quantity_of(job.material.mechanism);
-    Job fine = job;
-    fine.x = default_axis(quantity);
-    fine.y.reset();
-    fine.width = table_size;
-    fine.height = 1;
-    fine.sampling = choose_sampling(fine, {0.1, 1.0, 0.1, 0.0}).sampling;
-    SphereTable table{bake(fine), quantity, 0.0};
-    for (const Xyz& colour : table.colours) table.brightest = std::max(table.brightest, colour.y);
-    return table;
-}
-
-Xyz sphere_shade(const SphereTable& table, double x, double y) {
-    const glm::dvec3 normal{x, y, std::sqrt(std::max(0.0, 1.0 - x * x - y * y))};
+Seen look_at_ball(const LitTable& table, const Ray& ray) {
+    const std::optional<Chord> chord = chord_of(ray);
+    if (!chord) return {{}, studio_grey(ray)};
+    const glm::dvec3& normal = chord->enters;
     switch (table.quantity) {
         case Quantity::grating_u:
-            return grooved_shade(table, normal);
+            return {grooved(table, normal, ray), dull_metal * studio_grey(mirrored_ray(normal, normal, ray.way))};
         case Quantity::cos_scatter:
-            return scattered_shade(table, normal);
+            return {scattered(table, normal, ray)};
         case Quantity::incidence:
             break;
     }
-    return glossy_shade(table, normal);
+    return {glossy(table, normal, ray), {}, -glm::dot(normal, ray.way) < grazing_cos};
 }
 
-Xyz sphere_coat(double x, double y) {
-    const double cos_theta = std::sqrt(std::max(0.0, 1.0 - x * x - y * y));
-    const double fresnel = 0.04 + 0.96 * std::pow(1.0 - cos_theta, 5.0);  // Schlick 1994, n = 1.5
-    return xyz_from_chromaticity(d65_chromaticity, fresnel * Ball::coat * 0.5 * (1.0 + y));
-}
-
-double sphere_exposure(const SphereTable& table) {
-    constexpr int steps = 100;
-    double brightest = 0.0;
-    for (int j = -steps; j <= steps; ++j) {
-        for (int i = -steps; i <= steps; ++i) {
-            const double x = static_cast<double>(i) / steps;
-            const double y = static_cast<double>(j) / steps;
-            if (x * x + y * y > 1.0) continue;
-            brightest = std::max(brightest, brightest_component(sphere_shade(table, x, y)));
-        }
-    }
-    // First orders are so much brighter than all others that they may glare.
-    const double glare = table.quantity == Quantity::grating_u ? 2.5 : 1.0;
-    return brightest > 0.0 ? glare * sphere_brightest / brightest : 1.0;
-}
-
-Image<Xyz> draw_ball(const SphereTable& table, double exposure, const Ball& ball, int width, int height) {
-    Image<Xyz> image(width, height);
-    const auto sample = [&](double x, double y) {
-        const double across = (x - ball.centre_x) / ball.radius;
-        const double upwards = (ball.centre_y - y) / ball.radius;
-        if (across * across + upwards * upwards > 1.0) return wall(x, y, width, height);
-        return exposure * sphere_shade(table, across, upwards) + sphere_coat(across, upwards);
+Seen look_at_bubble(const LitTable& table, const Ray& ray) {
+    const std::optional<Chord> chord = chord_of(ray);
+    if (!chord) return {{}, studio_grey(ray)};
+    const double cos_theta = -glm::dot(chord->enters, ray.way);
+    const auto wall_seen = [&](const glm::dvec3& point) {
+        const double along = along_meridian(point);
+        return studio_luminance(mirrored_ray(point, point, ray.way), blur_rad(table, along)) *
+               mirrored_at(table, cos_theta, along);
     };
-    for (int row = 0; row < height; ++row) {
-        for (int column = 0; column < width; ++column) {
-            const double x = column + 0.5;
-            const double y = row + 0.5;
-            const bool is_rim = std::abs(std::hypot(x - ball.centre_x, y - ball.centre_y) - ball.radius) < 0.75;
-            const int samples = is_rim ? rim_samples : 1;
-            Xyz sum;
-            for (int j = 0; j < samples; ++j) {
-                for (int i = 0; i < samples; ++i) {
-                    sum = sum + sample(column + (i + 0.5) / samples, row + (j + 0.5) / samples);
-                }
-            }
-            image.at(column, row) = (1.0 / (samples * samples)) * sum;
-        }
-    }
-    return image;
+    const Xyz front = mirrored_at(table, cos_theta, along_meridian(chord->enters));
+    const double passes = std::max(0.0, 1.0 - front.y);
+    return {wall_seen(chord->enters) + passes * passes * wall_seen(chord->leaves),
+            shining_through(studio_luminance(ray, 0.0), front), cos_theta < grazing_cos};
 }
 
 }  // namespace nacre

@@ -1,68 +1,55 @@
 #pragma once
 
-#include "nacre/base/image.h"
-#include "nacre/colour/colour_types.h"
-#include "nacre/lut/job.h"
-#include "nacre/material/geometry.h"
-#include "nacre/scene/plan.h"
+#include "nacre/swatch/lit_picture.h"
+#include "nacre/swatch/lit_table.h"
 
 namespace nacre {
 
-/// A ball in front of a dark wall, seen from far away along -z; y points up, x right.
+/// A ball of radius 1 around (0, 0, 0), in the studio.
 ///
-/// With n the normal, v the direction of the eye, l that of a large soft light, h the half vector of v and l, and
-/// C(cos) the colour that the material has at that angle:
+/// With n the normal, v the direction of the eye, r = 2 (n.v) n - v, m the colours that the material mirrors and s what
+/// its base scatters:
 ///
-///     XYZ = exposure * ( light * f(n.l)^2 * C(n.h)  +  surround * (1 + n.up) / 2 * C(n.v) )  +  coat
-///     f(c) = max(c + wrap, 0) / (1 + wrap)
-///     coat = fresnel(n.v) * 0.18 * (1 + n.up) / 2, white
+///     XYZ = m(n.v) * studio(r) + s(n.v) * irradiance(n) / pi
 ///
-/// The first term is the form in which a shader uses the LUT for one light (the paper's figures 15 and 16), with a soft
-/// edge of the shade. The second is a sky that each point mirrors at its own angle, so that the colours go on to the
-/// rim and into the shade. The third, a faint gloss of the same sky, keeps a ball round whose material is black at
-/// grazing angles; it does not take part in the exposure.
+/// The second axis of the material runs from the upper pole, its first value, along the surface to the lower one.
+/// Facets blur what is mirrored.
 /// Gratings and scattering layers are lit by lamps nearby, because what they show depends on two directions:
 ///
 ///     grating     light / distance^2 * g(w) * C(u)  +  body,   u = |t.(l + v)|, w = b.(l + v), g a Gaussian
-///     scattering  light / distance^2 * n.l / (n.l + n.v) * 2 C(-l.v)      (Lommel and Seeliger)
+///     scattering  light / distance^2 * n.l / (n.l + n.v) * 2 C(-l.v)  +  room * C(0)   (Lommel and Seeliger)
 ///
 /// with l towards the lamp from each point, b along the grooves, which are circles around an axis that leans towards
-/// the eye, t across them; body is the dull grey of the metal, without which only a few arcs in the dark would be
-/// visible. A grating has three lamps, for more arcs; scattering one.
-struct Ball {
-    double centre_x = 0.0;  ///< pixels
-    double centre_y = 0.0;
-    double radius = 1.0;
+/// the eye, t across them; body is the metal, which mirrors the studio. A grating has three lamps, for more arcs;
+/// scattering a large one, at the edge of whose light n.l fades smoothly, and the room: irradiance / pi, as if all of
+/// it came from the side.
+Seen look_at_ball(const LitTable& table, const Ray& ray);
 
-    static constexpr double light = 1.0;
-    static constexpr double wrap = 0.35;
-    static constexpr double surround = 0.2;
-    static constexpr double coat = 0.18;
+/// A hollow ball with thin walls, such as a soap bubble: both walls mirror the studio, and what they do not reflect
+/// shines through. With m of two walls that take nothing, between which light goes to and fro, (1 - m) / (1 + m) goes
+/// through; taken for X, Y and Z alike. What shines through is shown as it is at exposure 0.
+/// @pre the material depends on the angle of incidence
+Seen look_at_bubble(const LitTable& table, const Ray& ray);
+
+/// In front of the ball, a little above.
+Camera ball_camera();
+
+/// A lamp, and what arrives of it.
+struct Lamp {
+    glm::dvec3 at{};
+    double power = 1.0;
 };
-
-/// Colours over the default axis of what they depend on, finely enough for linear interpolation.
-struct SphereTable {
-    Image<Xyz> colours;
-    Quantity quantity = Quantity::incidence;
-    double brightest = 1.0;  ///< luminance
+struct Lit {
+    glm::dvec3 towards{};  ///< the lamp, length 1
+    double light = 0.0;    ///< power at the distance of (0, 0, 0)
 };
-SphereTable sphere_table(const Job& job);
+Lit lit_at(const glm::dvec3& point, const Lamp& lamp);
 
-/// What the unexposed formula gives at a point of the ball.
-/// @param x,y  in units of the radius, y up
-/// @pre x^2 + y^2 <= 1
-Xyz sphere_shade(const SphereTable& table, double x, double y);
-
-/// The gloss: neutral, the same for all materials.
-Xyz sphere_coat(double x, double y);
-
-/// The factor that makes the brightest component of the ball, in linear Rec.709, `sphere_brightest`; 1 for a black
-/// ball. Of gratings 2.5 times that: their first orders glare.
-double sphere_exposure(const SphereTable& table);
-inline constexpr double sphere_brightest = 0.92;
-
-/// The whole picture: the ball with a smooth rim (4 x 4 samples where a pixel is both ball and wall), and the wall, a
-/// neutral dark grey that fades towards the corners.
-Image<Xyz> draw_ball(const SphereTable& table, double exposure, const Ball& ball, int width, int height);
+/// What grooves show of a lamp at a point.
+/// @param towards_eye  length 1
+/// @param along_grooves,across_grooves  of length 1, in the surface
+/// @param straying  how far light leaves the plane across the grooves, of which none is quite straight
+Xyz grooves_seen(const LitTable& table, const Lit& lit, const glm::dvec3& towards_eye, const glm::dvec3& along_grooves,
+                 const glm::dvec3& across_grooves, double straying, double along);
 
 }  // namespace nacre

@@ -70,6 +70,7 @@ TEST(SwatchOutside, TheBarLiesWhereTheLutHasNegativeComponents) {
     const Swatch swatch = draw_swatch(plan, rec709());
     const Panel& panel = swatch.panels.at(0);
     Job job = plan.jobs.front();
+    job.x.kind = &even_degrees();
     job.width = 397;
     job.height = 1;
     const Image<Xyz> lut = bake(job);

@@ -17,7 +17,6 @@
 #include "nacre/shade/palette_colour.h"
 #include "nacre/swatch/swatch_gamut.h"
 #include "nacre/swatch/swatch_layout.h"
-#include "nacre/swatch/swatch_sphere.h"
 
 namespace nacre {
 namespace {
@@ -184,7 +183,7 @@ TEST(StripSwatch, TicksSitWhereTheAxisPutsTheirAngles) {
     for (const AxisKind& kind : axis_kinds()) {
         if (kind.quantity != Quantity::incidence) continue;
         PlannedSwatch plan = planned(SwatchKind::strip, morpho);
-        plan.jobs[0].x.kind = &kind;
+        plan.shown_axis = &kind;
         const Swatch swatch = draw_swatch(plan);
         const Panel& panel = swatch.panels.at(0);
         const double place = between_labels(swatch, "60°", "60°", 0.0, true);
@@ -195,10 +194,11 @@ TEST(StripSwatch, TicksSitWhereTheAxisPutsTheirAngles) {
 TEST(StripSwatch, ABracketReachesFromTheClampToTheEndOfTheAxis) {
     const Swatch& swatch = picture(SwatchKind::strip, steep);
     const Panel& panel = swatch.panels.at(0);
-    const double bound = panel.left + 0.5 + std::sqrt(0.24362) * (panel.image.width() - 1);
+    const double bound = panel.left + 0.5 + 75.9 / 90.0 * (panel.image.width() - 1);
     const auto rectangles = all_of<Rectangle>(swatch);
     EXPECT_TRUE(std::any_of(rectangles.begin(), rectangles.end(), [&](const Rectangle& bar) {
-        return bar.box.left == panel.left && std::abs(bar.box.right - bound) < 1.0 && bar.box.bottom < panel.top;
+        return std::abs(bar.box.left - bound) < 1.0 && bar.box.right == panel.left + panel.image.width() &&
+               bar.box.bottom < panel.top;
     }));
     EXPECT_TRUE(says(swatch, "height reaches 0 at 75.9°"));
 }
@@ -213,8 +213,75 @@ TEST(StripSwatch, ATwoDimensionalLutHasItsSmallestYAtTheBottom) {
     PlannedSwatch plan = planned(SwatchKind::strip, beetle);
     plan.jobs[0].y = parameter_axis(beetle.mechanism, "height", 0.0, 1.0);
     const Panel panel = draw_swatch(plan).panels.at(0);
-    EXPECT_EQ(panel.image.at(800, panel.image.height() - 1).y, 0.0);
-    EXPECT_GT(panel.image.at(800, 0).y, 0.05);
+    EXPECT_EQ(panel.image.at(100, panel.image.height() - 1).y, 0.0);
+    EXPECT_GT(panel.image.at(100, 0).y, 0.05);
+}
+
+// cos 60 = 1/2: the texels of the default axis are even in the square root.
+TEST(StripSwatch, ASecondScaleSaysWhereTheTexelsAre) {
+    const Swatch& swatch = picture(SwatchKind::strip, morpho);
+    EXPECT_TRUE(says(swatch, "angle"));
+    EXPECT_TRUE(says(swatch, "texture coordinate (sqrt_cos_theta)"));
+    const AxisKind& shown = even_degrees();
+    const AxisKind& texels = default_axis_kind(Quantity::incidence);
+    const std::vector<Tick> ticks = texel_ticks(shown, texels, 1100);
+    ASSERT_EQ(ticks.size(), 11u);
+    EXPECT_EQ(ticks[0].coordinate, 1.0);
+    EXPECT_EQ(ticks[10].coordinate, 0.0);
+    EXPECT_NEAR(ticks[5].coordinate, std::acos(0.25) * 180.0 / 3.141592653589793 / 90.0, 1e-12);
+    EXPECT_EQ(ticks[5].label, "0.5");
+}
+
+TEST(StripSwatch, EvenInItsOwnAxisItHasOneScale) {
+    PlannedSwatch plan = planned(SwatchKind::strip, morpho);
+    plan.shown_axis = plan.jobs[0].x.kind;
+    const Swatch swatch = draw_swatch(plan);
+    EXPECT_FALSE(says(swatch, "texture coordinate (sqrt_cos_theta)"));
+    EXPECT_EQ(swatch.height, picture(SwatchKind::strip, morpho).height - texel_scale_height);
+}
+
+TEST(StripSwatch, AFixedExposureMultipliesTheColoursAndIsSaid) {
+    PlannedSwatch plan = planned(SwatchKind::strip, morpho);
+    plan.exposure_ev = 1.0;
+    const Swatch swatch = draw_swatch(plan);
+    const Xyz& plain = picture(SwatchKind::strip, morpho).panels.at(0).image.at(0, 0);
+    EXPECT_EQ(swatch.panels.at(0).image.at(0, 0).y, 2.0 * plain.y);
+    EXPECT_TRUE(says(swatch, "exposure +1 EV"));
+    EXPECT_FALSE(says(picture(SwatchKind::strip, morpho), "exposure 0 EV"));
+}
+
+// The Morpho's blue is no mixture of sRGB's primaries.
+TEST(PicksSwatch, PatchesAndStripFollowOneGamutRuleAndMarkWhatIsOutside) {
+    PlannedSwatch plan = planned(SwatchKind::picks, morpho);
+    const Light& light = *daylight();
+    PickedColour picked;
+    picked.colour = {0.3, 0.25, 0.2};  // well inside sRGB
+    picked.reached = adapt(light.adaptation, lobe_to_xyz(light.weights, 460.0, 70.0, 1.0));
+    plan.picked = {picked};
+    const LutSpace rec709{"lin_rec709", [](const Image<Xyz>& image) {
+                              Image<Rgb> rgb(image.width(), image.height());
+                              std::transform(image.begin(), image.end(), rgb.begin(), linear_rec709);
+                              return rgb;
+                          }};
+    const Swatch swatch = draw_swatch(plan, rec709);
+    ASSERT_EQ(swatch.panels.size(), 3u);
+    for (const Panel& panel : swatch.panels) EXPECT_TRUE(panel.is_exact);
+    const Panel& reached = swatch.panels[1];
+    EXPECT_EQ(swatch.panels[2].image.at(0, 0), reached.image.at(0, 0));  // the pick at 0 degrees
+    const auto marks_on = [&](const Panel& panel) {
+        const auto lines = all_of<Polyline>(swatch);
+        return std::count_if(lines.begin(), lines.end(), [&](const Polyline& line) {
+            const Point& p = line.points.front();
+            return p.x >= panel.left && p.x < panel.left + panel.image.width() && p.y >= panel.top &&
+                   p.y < panel.top + panel.image.height();
+        });
+    };
+    EXPECT_EQ(marks_on(swatch.panels[0]), 0);
+    EXPECT_GT(marks_on(reached), 5);
+    const auto texts = all_of<Text>(swatch);
+    EXPECT_TRUE(std::any_of(texts.begin(), texts.end(), [](const Text& text) {
+        return text.text.starts_with("outside lin_rec709: ") && text.text.ends_with("of the strip");
+    }));
 }
 
 TEST(AxisTicks, LabelsKeepTheirDistanceAndTheEndsHaveOne) {
@@ -267,47 +334,6 @@ TEST(AxisTicks, OfOtherQuantitiesAreTheirNumbersFromEndToEnd) {
 TEST(AxisTicks, ComeToAnEndOnARangeThatIsNarrowerThanItsDigits) {
     const Axis axis = parameter_axis(morpho.mechanism, "peak_nm", 1000.0, std::nextafter(1000.0, 2000.0));
     EXPECT_LE(axis_ticks(axis, 1000, true).size(), 101u);
-}
-
-TEST(SphereSwatch, TheMiddleOfTheBallMirrorsTheSkyAtNormalIncidence) {
-    // A table that is black but at the normal: only n.v = 1 is seen, because the light's half vector is elsewhere.
-    SphereTable table{Image<Xyz>(1024, 1)};
-    table.colours.at(1023, 0) = {1.0, 1.0, 1.0};
-    EXPECT_NEAR(sphere_shade(table, 0.0, 0.0).y, 0.5 * Ball::surround, 1e-12);
-    EXPECT_NEAR(sphere_shade(table, 0.0, -0.5).y, 0.0, 1e-12);
-}
-
-TEST(SphereSwatch, AWhiteBallIsBrightestTowardsTheUpperLeft) {
-    const SphereTable table{Image<Xyz>(1024, 1, {1.0, 1.0, 1.0})};
-    const double upper_left = sphere_shade(table, -0.38, 0.5).y;
-    EXPECT_GT(upper_left, sphere_shade(table, 0.0, 0.0).y);
-    EXPECT_GT(upper_left, sphere_shade(table, 0.38, 0.5).y);
-    EXPECT_GT(upper_left, sphere_shade(table, -0.38, -0.5).y);
-    EXPECT_GT(upper_left, 20.0 * sphere_shade(table, 0.6, -0.79).y);
-}
-
-TEST(SphereSwatch, ExposureBringsTheBrightestComponentToItsLevel) {
-    for (const Material& material : {morpho, beetle, steep}) {
-        const SphereTable table = sphere_table(planned(SwatchKind::sphere, material).jobs[0]);
-        const Image<Xyz> ball = draw_ball(table, sphere_exposure(table), {150.0, 150.0, 145.0}, 300, 300);
-        double brightest = 0.0;
-        for (const Xyz& pixel : ball) {
-            const Rgb rgb = linear_rec709(pixel);
-            brightest = std::max({brightest, rgb.r, rgb.g, rgb.b});
-        }
-        // The gloss comes on top: at its rim up to Ball::coat, where a ball is not at its brightest.
-        EXPECT_GE(brightest, sphere_brightest - 2e-3) << material.name;
-        EXPECT_LE(brightest, 1.0) << material.name;
-    }
-    EXPECT_EQ(sphere_exposure({Image<Xyz>(1024, 1)}), 1.0);
-}
-
-TEST(SphereSwatch, TheRimIsBetweenBallAndWall) {
-    const SphereTable table{Image<Xyz>(1024, 1, {1.0, 1.0, 1.0})};
-    const Image<Xyz> ball = draw_ball(table, 1.0, {50.0, 50.0, 40.25}, 100, 100);
-    const double wall = ball.at(8, 50).y, rim = ball.at(9, 50).y, inside = ball.at(10, 50).y;
-    EXPECT_GT(rim, wall);
-    EXPECT_LT(rim, inside);
 }
 
 TEST(FitToSrgb, KeepsColoursThatAreWellInside) {

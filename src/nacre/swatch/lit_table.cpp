@@ -1,0 +1,78 @@
+#include "nacre/swatch/lit_table.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+#include <variant>
+
+#include "nacre/lut/axis.h"
+#include "nacre/material/effects.h"
+#include "nacre/material/mechanism.h"
+#include "nacre/optics/base.h"
+#include "nacre/swatch/swatch_panel.h"
+
+namespace nacre {
+namespace {
+
+// Texels; chosen so that linear interpolation errs by less than a picture of 8 bits shows.
+constexpr PlotArea line_area{0, 0, 1024, 1};
+constexpr PlotArea plane_area_of_two{0, 0, 384, 192};
+
+bool scatters_below(const Job& job) {
+    const std::optional<Base>& base = job.material.mechanism.effects.base;
+    return base && !std::holds_alternative<MetalBase>(*base) && !job.without.has(Effect::base);
+}
+
+struct Between {
+    int low;       // the next texel is low + 1
+    double share;  // of the next
+};
+Between between_texels(double position, int size) {
+    const double texel = std::clamp(position, 0.0, 1.0) * (size - 1);
+    const int low = std::clamp(static_cast<int>(texel), 0, std::max(size - 2, 0));
+    return {low, texel - low};
+}
+
+}  // namespace
+
+LitTable lit_table(const Job& job) {
+    LitTable table;
+    table.quantity = quantity_of(job.material.mechanism);
+    if (job.y && !job.y->is_angle()) table.second = job.y;
+    if (!table.second && !job.x.is_angle()) table.second = job.x;
+    Job fine = job;
+    fine.x = default_axis(table.quantity);
+    fine.y = table.second;
+    const PlotArea& area = fine.y ? plane_area_of_two : line_area;
+    table.first_tilt_deg = mechanism_at(fine, 0.0, 0.0).effects.tilt_deg;
+    table.last_tilt_deg = mechanism_at(fine, 0.0, 1.0).effects.tilt_deg;
+    table.mirrored = bake_panel(fine, area).image;
+    if (!scatters_below(job)) return table;
+    table.scattered = std::move(table.mirrored);
+    fine.without.insert(Effect::base);
+    table.mirrored = bake_panel(fine, area).image;
+    std::transform(table.scattered.begin(), table.scattered.end(), table.mirrored.begin(), table.scattered.begin(),
+                   [](const Xyz& all, const Xyz& mirrored) { return all + -1.0 * mirrored; });
+    return table;
+}
+
+Xyz colour_at(const Image<Xyz>& colours, double coordinate, double along) {
+    const Between x = between_texels(coordinate, colours.width());
+    const Between y = between_texels(1.0 - along, colours.height());
+    const auto across = [&](int row) {
+        return (1.0 - x.share) * colours.at(x.low, row) + x.share * colours.at(x.low + 1, row);
+    };
+    if (colours.height() == 1) return across(0);
+    return (1.0 - y.share) * across(y.low) + y.share * across(y.low + 1);
+}
+
+Xyz mirrored_at(const LitTable& table, double cos_theta, double along) {
+    return colour_at(table.mirrored, std::sqrt(std::clamp(cos_theta, 0.0, 1.0)), along);
+}
+
+double blur_rad(const LitTable& table, double along) {
+    return 2.0 * std::lerp(table.first_tilt_deg, table.last_tilt_deg, along) * std::numbers::pi / 180.0;
+}
+
+}  // namespace nacre

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <optional>
+
+#include "nacre/base/image.h"
+#include "nacre/colour/colour_types.h"
+#include "nacre/lut/job.h"
+#include "nacre/material/geometry.h"
+
+namespace nacre {
+
+inline Xyz operator+(Xyz a, Xyz b) {
+    return {a.x + b.x, a.y + b.y, a.z + b.z};
+}
+inline Xyz operator*(double factor, Xyz colour) {
+    return {factor * colour.x, factor * colour.y, factor * colour.z};
+}
+
+/// The colours of a material over the default axis of what they depend on, finely enough for linear interpolation; and
+/// over its second axis, if it has one.
+struct LitTable {
+    Image<Xyz> mirrored;   ///< x: the angle; y: the second axis, its first value in the last row
+    Image<Xyz> scattered;  ///< what a base that is no metal scatters, of the same size; empty: there is none
+    Quantity quantity = Quantity::incidence;
+    double first_tilt_deg = 0.0;  ///< of the facets, at the first value of the second axis
+    double last_tilt_deg = 0.0;   ///< and at the last
+    std::optional<Axis> second;   ///< a number of the material
+};
+
+/// Of a job with two axes the number of the material (the second, if both are) becomes the second axis.
+LitTable lit_table(const Job& job);
+
+/// Linear interpolation, as a texture unit does it. @pre the image is at least 2 wide
+/// @param coordinate  on the axis of the angle
+/// @param along       on the second axis, from its first value (0) to its last (1)
+Xyz colour_at(const Image<Xyz>& colours, double coordinate, double along);
+
+/// What mirrors: colours of films, layers and metals. @param cos_theta  to the normal
+Xyz mirrored_at(const LitTable& table, double cos_theta, double along);
+
+/// Standard deviation of the directions into which facets mirror: twice that of their slopes.
+double blur_rad(const LitTable& table, double along);
+
+}  // namespace nacre

@@ -1,0 +1,20 @@
+#pragma once
+
+#include "nacre/lut/job.h"
+#include "nacre/scene/planned_swatch.h"
+#include "nacre/swatch/swatch_outside.h"
+#include "nacre/swatch/swatch_picture.h"
+
+namespace nacre {
+
+/// A LUT with its axes, even in degrees unless the swatch wants another axis; below it, a second scale says where the
+/// texels of the LUT are.
+///
+/// Without a fixed exposure, gratings and scattering layers whose brightest component is above white are darkened until
+/// it is white. The picture says its exposure unless it is 0.
+Swatch draw_strip(const PlannedSwatch& planned, const LutSpace& space);
+
+/// The same job with its angle (to the normal) even in what the swatch wants.
+Job shown_job(const PlannedSwatch& planned);
+
+}  // namespace nacre

@@ -80,7 +80,7 @@ void note_clamps(const LoadedScene& scene, Console& console) {
         const auto note = [&](const char* side, const std::optional<double>& angle_deg) {
             if (!angle_deg) return;
             console.summary(called(material.name, scene) + ": clamped " + side + " " + short_number(*angle_deg) +
-                            " deg, where its picks lead to a reflectance outside 0 to 1, or a width below 0");
+                            " deg, where its picks lead to a number outside its range");
         };
         note("below", bounds.below_deg);
         note("above", bounds.above_deg);

@@ -131,14 +131,16 @@ ChromaticityTable half_cosine_table(const Light& light, BandKind kind) {
             }};
 }
 
+Xyz box_to_xyz(const Light& light, BandKind kind, const Box& box) {
+    const Xyz up = plateau_to_xyz(light.weights, box.from_nm, box.to_nm);
+    if (kind == BandKind::band) return up;
+    const Xyz& white = light.weights.white;
+    return {white.x - up.x, white.y - up.y, white.z - up.z};
+}
+
 ChromaticityTable box_table(const Light& light, BandKind kind, const std::vector<double>& edges) {
-    return {box_places, box_lengths, [&](const ChromaticityTable::Place& place) -> Xyz {
-                const Box box = box_at(edges, place);
-                const Xyz up = plateau_to_xyz(light.weights, box.from_nm, box.to_nm);
-                if (kind == BandKind::band) return up;
-                const Xyz& white = light.weights.white;
-                return {white.x - up.x, white.y - up.y, white.z - up.z};
-            }};
+    return {box_places, box_lengths,
+            [&](const ChromaticityTable::Place& place) { return box_to_xyz(light, kind, box_at(edges, place)); }};
 }
 
 std::size_t index_of(BandKind kind) {
@@ -157,11 +159,13 @@ ExactBands::ExactBands(const Light& light)
       half_cosines_{half_cosine_table(light, BandKind::band), half_cosine_table(light, BandKind::notch)},
       boxes_{box_table(light, BandKind::band, edges_nm_), box_table(light, BandKind::notch, edges_nm_)} {}
 
-bool ExactBands::solve_chromaticity(BandKind kind, Uv target, UnitBand& band) const {
+// @param colour_at  of a unit band
+template <typename ColourAt>
+bool ExactBands::solve_chromaticity(Uv target, const ColourAt& colour_at, UnitBand& band) const {
     return newton(
         light_, 2,
         [&](const UnitBand& b) -> glm::dvec3 {
-            const Uv uv = uv_of(colour_of(kind, b));
+            const Uv uv = uv_of(colour_at(b));
             return {uv.u - target.u, uv.v - target.v, 0.0};
         },
         band);
@@ -178,37 +182,49 @@ bool ExactBands::solve_colour(BandKind kind, const Xyz& target, UnitBand& band) 
 }
 
 // Newton's method from every start. Triangles overlap by their slack: a start beside a root leads to it.
-template <typename BandAt>
-ExactBands::Roots ExactBands::roots_from(const ChromaticityTable& table, BandKind kind, const Xyz& target,
-                                         const BandAt& band_at) const {
+template <typename BandAt, typename ColourAt>
+ExactBands::Roots ExactBands::roots_from(const ChromaticityTable& table, const Xyz& target, const BandAt& band_at,
+                                         const ColourAt& colour_at) const {
     Roots roots;
     const Uv uv = uv_of(target);
     for (const ChromaticityTable::Place& start : table.starts(uv)) {
         UnitBand band = band_at(start);
         if (roots.has(band, 1.0, 6e-3)) continue;
-        if (!solve_chromaticity(kind, uv, band)) continue;
+        if (!solve_chromaticity(uv, colour_at, band)) continue;
         if (!roots.has(band, 0.05, 5e-4)) roots.band[roots.count++] = band;
     }
     return roots;
 }
 
 ExactBands::Roots ExactBands::half_cosine_roots(BandKind kind, const Xyz& target) const {
-    return roots_from(half_cosines_[index_of(kind)], kind, target,
-                      [&](const ChromaticityTable::Place& start) { return half_cosine_at(light_, start); });
+    return roots_from(
+        half_cosines_[index_of(kind)], target,
+        [&](const ChromaticityTable::Place& start) { return half_cosine_at(light_, start); },
+        [&](const UnitBand& band) { return colour_of(kind, band); });
 }
 
+// First among rectangles, whose colours are differences of running integrals.
 std::optional<UnitBand> ExactBands::flattest(BandKind kind, const Xyz& target) const {
-    const Roots roots =
-        roots_from(boxes_[index_of(kind)], kind, target, [&](const ChromaticityTable::Place& start) -> UnitBand {
+    const double rectangle = fullness(largest_flatness);  // its share of the width
+    const auto box_colour = [&](const UnitBand& band) {
+        const double half_nm = 0.5 * rectangle * band.width_nm();
+        return box_to_xyz(light_, kind, {band.peak_nm - half_nm, band.peak_nm + half_nm});
+    };
+    const Roots roots = roots_from(
+        boxes_[index_of(kind)], target,
+        [&](const ChromaticityTable::Place& start) -> UnitBand {
             const Box box = box_at(edges_nm_, start);
-            const double width_nm = (box.to_nm - box.from_nm) / fullness(largest_flatness);
             return within_limits(
-                light_, {0.5 * (box.from_nm + box.to_nm), std::sqrt(width_nm / UnitBand::widest_nm), largest_flatness});
-        });
+                light_, {0.5 * (box.from_nm + box.to_nm),
+                         std::sqrt((box.to_nm - box.from_nm) / rectangle / UnitBand::widest_nm), largest_flatness});
+        },
+        box_colour);
     std::optional<UnitBand> brightest;
     for (std::size_t i = 0; i < roots.count; ++i) {
-        if (!brightest || colour_of(kind, roots.band[i]).y > colour_of(kind, *brightest).y) brightest = roots.band[i];
+        if (!brightest || box_colour(roots.band[i]).y > box_colour(*brightest).y) brightest = roots.band[i];
     }
+    const auto colour_at = [&](const UnitBand& band) { return colour_of(kind, band); };
+    if (brightest && !solve_chromaticity(uv_of(target), colour_at, *brightest)) return {};
     return brightest;
 }
 
@@ -221,7 +237,8 @@ UnitBand ExactBands::less_flat(BandKind kind, const Xyz& target, UnitBand flat) 
         UnitBand middle = flat;
         middle.flatness = 0.5 * (too_little + flat.flatness);
         middle.spread *= std::sqrt(fullness(flat.flatness) / fullness(middle.flatness));
-        const bool is_there = solve_chromaticity(kind, uv, middle);
+        const bool is_there = solve_chromaticity(
+            uv, [&](const UnitBand& band) { return colour_of(kind, band); }, middle);
         if (is_there && level_of(target, colour_of(kind, middle)) <= 1.0)
             flat = middle;
         else
@@ -236,6 +253,7 @@ std::optional<UnitBand> ExactBands::least_flat(BandKind kind, const Xyz& target,
     if (!flat) return {};
     const double level_of_flat = level_of(target, colour_of(kind, *flat));
     if (level_of_flat > 1.0 + rounding) return {};
+    if (level_of_flat > 1.0 - rounding) return flat;
     std::optional<UnitBand> best;
     for (std::size_t i = 0; i < roots.count; ++i) {
         const UnitBand& root = roots.band[i];

@@ -55,10 +55,12 @@ private:
         }
     };
 
-    bool solve_chromaticity(BandKind kind, Uv target, UnitBand& band) const;
+    template <typename ColourAt>
+    bool solve_chromaticity(Uv target, const ColourAt& colour_at, UnitBand& band) const;
     bool solve_colour(BandKind kind, const Xyz& target, UnitBand& band) const;
-    template <typename BandAt>
-    Roots roots_from(const ChromaticityTable& table, BandKind kind, const Xyz& target, const BandAt& band_at) const;
+    template <typename BandAt, typename ColourAt>
+    Roots roots_from(const ChromaticityTable& table, const Xyz& target, const BandAt& band_at,
+                     const ColourAt& colour_at) const;
     Roots half_cosine_roots(BandKind kind, const Xyz& target) const;
     std::optional<UnitBand> flattest(BandKind kind, const Xyz& target) const;
     std::optional<UnitBand> least_flat(BandKind kind, const Xyz& target, const Roots& roots) const;

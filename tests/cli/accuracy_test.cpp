@@ -196,8 +196,7 @@ TEST(Plan, IsATableOfWhatWillBeBakedAndWritesNothing) {
         ": dispersion, absorption, polarisation, incoherent_layers, thickness_spread, base, tilt, higher_orders, "
         "size_spread";
     EXPECT_EQ(absent, (std::vector<std::string>{"effects not in one" + every, "effects not in two" + every}));
-    EXPECT_EQ(note,
-              "morpho: clamped above 85 deg, where its picks lead to a reflectance outside 0 to 1, or a width below 0");
+    EXPECT_EQ(note, "morpho: clamped above 85 deg, where its picks lead to a number outside its range");
     EXPECT_EQ(folder.names(), std::vector<std::string>{"s.toml"});
 }
 

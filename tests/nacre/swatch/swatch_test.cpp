@@ -256,7 +256,7 @@ TEST(PicksSwatch, PatchesAndStripFollowOneGamutRuleAndMarkWhatIsOutside) {
     const Light& light = *daylight();
     PickedColour picked;
     picked.colour = {0.3, 0.25, 0.2};  // well inside sRGB
-    picked.reached = adapt(light.adaptation, lobe_to_xyz(light.weights, 460.0, 70.0, 1.0));
+    picked.reached = adapt(light.adaptation, lobe_to_xyz(light, {460.0, 70.0, 1.0}));
     plan.picked = {picked};
     const LutSpace rec709{"lin_rec709", [](const Image<Xyz>& image) {
                               Image<Rgb> rgb(image.width(), image.height());

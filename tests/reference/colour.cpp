@@ -10,27 +10,68 @@
 namespace nacre::reference {
 namespace {
 
-// Columns are the primaries of ITU-R BT.709, scaled so that (1, 1, 1) is D65.
+struct Primary {
+    double x, y;
+};
+
+// Columns are the primaries, scaled so that (1, 1, 1) is the white.
+Matrix<double> to_xyz(const Primary& red, const Primary& green, const Primary& blue, const Vector<double>& white) {
+    const Vector<double> primaries[3] = {from_chromaticity(red.x, red.y), from_chromaticity(green.x, green.y),
+                                         from_chromaticity(blue.x, blue.y)};
+    Matrix<double> columns{};
+    for (std::size_t i = 0; i < 3; ++i)
+        for (std::size_t j = 0; j < 3; ++j) columns[i][j] = primaries[j][i];
+    const Vector<double> scale = inverse(columns) * white;
+    for (auto& row : columns)
+        for (std::size_t j = 0; j < 3; ++j) row[j] *= scale[j];
+    return columns;
+}
+
+// ITU-R BT.709.
 const Matrix<double>& rec709_to_xyz() {
-    static const Matrix<double> matrix = [] {
-        const Vector<double> primaries[3] = {from_chromaticity(0.64, 0.33), from_chromaticity(0.30, 0.60),
-                                             from_chromaticity(0.15, 0.06)};
-        Matrix<double> columns{};
-        for (std::size_t i = 0; i < 3; ++i)
-            for (std::size_t j = 0; j < 3; ++j) columns[i][j] = primaries[j][i];
-        const Vector<double> scale = inverse(columns) * d65_white<double>();
-        for (auto& row : columns)
-            for (std::size_t j = 0; j < 3; ++j) row[j] *= scale[j];
-        return columns;
-    }();
+    static const Matrix<double> matrix = to_xyz({0.64, 0.33}, {0.30, 0.60}, {0.15, 0.06}, d65_white<double>());
     return matrix;
+}
+
+ModelXyz as_xyz(const Vector<double>& xyz) {
+    return {xyz[0], xyz[1], xyz[2]};
 }
 
 }  // namespace
 
 ModelXyz from_rec709(const ModelRgb& rgb) {
-    const Vector<double> xyz = rec709_to_xyz() * rgb;
-    return {xyz[0], xyz[1], xyz[2]};
+    return as_xyz(rec709_to_xyz() * rgb);
+}
+
+ModelXyz from_srgb(const ModelRgb& encoded) {
+    ModelRgb rgb{};
+    for (std::size_t c = 0; c < 3; ++c)
+        rgb[c] = encoded[c] <= 0.04045 ? encoded[c] / 12.92 : std::pow((encoded[c] + 0.055) / 1.055, 2.4);
+    return from_rec709(rgb);
+}
+
+ModelXyz from_p3d65(const ModelRgb& rgb) {
+    static const Matrix<double> matrix = to_xyz({0.680, 0.320}, {0.265, 0.690}, {0.150, 0.060}, d65_white<double>());
+    return as_xyz(matrix * rgb);
+}
+
+ModelXyz from_acescg(const ModelRgb& rgb) {
+    static const Vector<double> white = from_chromaticity(0.32168, 0.33767);
+    static const Matrix<double> matrix = to_xyz({0.713, 0.293}, {0.165, 0.830}, {0.128, 0.044}, white);
+    static const Matrix<double> to_d65 = bradford_to_d65<double>(white);
+    return as_xyz(to_d65 * (matrix * rgb));
+}
+
+std::array<double, 3> oklab_of(const ModelXyz& colour) {
+    constexpr Matrix<double> cones{{{0.8189330101, 0.3618667424, -0.1288597137},
+                                    {0.0329845436, 0.9293118715, 0.0361456387},
+                                    {0.0482003018, 0.2643662691, 0.6338517070}}};
+    constexpr Matrix<double> lab{{{0.2104542553, 0.7936177850, -0.0040720468},
+                                  {1.9779984951, -2.4285922050, 0.4505937099},
+                                  {0.0259040371, 0.7827717662, -0.8086757660}}};
+    Vector<double> roots = cones * Vector<double>{colour.x, colour.y, colour.z};
+    for (double& root : roots) root = std::cbrt(root);
+    return lab * roots;
 }
 
 ModelRgb to_rec709(const ModelXyz& colour) {

@@ -18,6 +18,16 @@ using ModelRgb = std::array<double, 3>;
 ModelRgb to_rec709(const ModelXyz& colour);
 ModelXyz from_rec709(const ModelRgb& rgb);
 
+/// From R, G, B in [0, 1] as a screen takes them: IEC 61966-2-1.
+ModelXyz from_srgb(const ModelRgb& encoded);
+/// Linear P3 with the white D65 (SMPTE EG 432-1), and ACEScg (S-2014-004, adapted from its own white by Bradford).
+ModelXyz from_p3d65(const ModelRgb& rgb);
+ModelXyz from_acescg(const ModelRgb& rgb);
+
+/// Oklab's lightness, a and b, with the matrices that Ottosson printed (A perceptual color space for image processing,
+/// 2020): ten digits.
+std::array<double, 3> oklab_of(const ModelXyz& colour);
+
 /// White (0.3127, 0.3290) at Y = 1. The straight part of the curve goes on below 0.
 ModelLab lab_of(const ModelXyz& colour);
 

@@ -50,6 +50,10 @@ ModelXyz ModelLight::adapted(const Triple& seen) const {
     return {colour[0], colour[1], colour[2]};
 }
 
+Triple ModelLight::seen_as(const ModelXyz& adapted) const {
+    return inverse(to_d65_) * Triple{adapted.x, adapted.y, adapted.z};
+}
+
 const WavelengthGrid& ModelLight::grid(double step_nm) const {
     WavelengthGrid& made = grids_[step_nm];
     if (!made.nm.empty()) return made;

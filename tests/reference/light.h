@@ -40,6 +40,8 @@ public:
     Triple weight_at(double nm) const;
     const WavelengthGrid& grid(double step_nm) const;
     ModelXyz adapted(const Triple& seen) const;
+    /// The other way: what has to be seen under the light so that it is adapted to a colour.
+    Triple seen_as(const ModelXyz& adapted) const;
 
 private:
     std::vector<Triple> weights_;

@@ -113,27 +113,65 @@ struct LobeIntegral::Cells {
 LobeIntegral::LobeIntegral(const ModelLight& light) : cells_(std::make_unique<const Cells>(light.weights())) {}
 LobeIntegral::~LobeIntegral() = default;
 
-Triple LobeIntegral::operator()(double peak_nm, double width_nm) const {
-    const NodeWeights& weights = cells_->weights;
-    Triple sum{};
-    const double from = std::max<double>(light_begins_nm, peak_nm - width_nm / 2);
-    const double to = std::min<double>(light_ends_nm, peak_nm + width_nm / 2);
-    if (!(width_nm > 0.0) || !(from < to)) return sum;
+namespace {
+
+// The part of cos(pi (nm - peak) / width) between two wavelengths.
+void add_cosine(const NodeWeights& weights, const WholeCells<3>& coarse, const WholeCells<5>& fine, double peak_nm,
+                double width_nm, double begin_nm, double end_nm, Triple& sum) {
+    const double from = std::max<double>(light_begins_nm, begin_nm);
+    const double to = std::min<double>(light_ends_nm, end_nm);
+    if (!(width_nm > 0.0) || !(from < to)) return;
     const int first_whole = static_cast<int>(std::ceil(from)), last_whole = static_cast<int>(std::floor(to));
     if (first_whole > last_whole) {
         add_piece(weights, peak_nm, width_nm, from, to, sum);
-        return sum;
+        return;
     }
     add_piece(weights, peak_nm, width_nm, from, first_whole, sum);
     add_piece(weights, peak_nm, width_nm, last_whole, to, sum);
     // Gauss-Legendre over 1 nm errs by 5e-7 (pi / w)^6 with 3 points, by 4e-13 (pi / w)^10 with 5.
     if (width_nm >= 40.0) {
-        cells_->coarse.add(peak_nm, width_nm, first_whole, last_whole, sum);
+        coarse.add(peak_nm, width_nm, first_whole, last_whole, sum);
     } else if (width_nm >= 4.0) {
-        cells_->fine.add(peak_nm, width_nm, first_whole, last_whole, sum);
+        fine.add(peak_nm, width_nm, first_whole, last_whole, sum);
     } else {
         for (int nm = first_whole; nm < last_whole; ++nm) add_piece(weights, peak_nm, width_nm, nm, nm + 1, sum);
     }
+}
+
+// Where the band is 1: what is linear between two wavelengths is its middle times their distance.
+void add_plateau(const NodeWeights& weights, double begin_nm, double end_nm, Triple& sum) {
+    const double last = std::min<double>(light_ends_nm, end_nm);
+    for (double from = std::max<double>(light_begins_nm, begin_nm); from < last;) {
+        const double cell_nm = std::floor(from);
+        const double to = std::min(cell_nm + 1.0, last);
+        const Triple middle =
+            weight_at(weights, static_cast<std::size_t>(cell_nm - light_begins_nm), 0.5 * (from + to) - cell_nm);
+        for (std::size_t c = 0; c < 3; ++c) sum[c] += (to - from) * middle[c];
+        from = to;
+    }
+}
+
+}  // namespace
+
+Triple LobeIntegral::operator()(double peak_nm, double width_nm, double flatness) const {
+    const auto& [weights, coarse, fine] = *cells_;
+    const double plateau = flatness * width_nm;
+    const double begins = peak_nm - width_nm / 2, ends = peak_nm + width_nm / 2;
+    Triple sum{};
+    if (plateau == 0.0) {
+        add_cosine(weights, coarse, fine, peak_nm, width_nm, begins, ends, sum);
+        return sum;
+    }
+    const double left = peak_nm - plateau / 2, right = peak_nm + plateau / 2;
+    add_cosine(weights, coarse, fine, left, width_nm - plateau, begins, left, sum);
+    add_plateau(weights, left, right, sum);
+    add_cosine(weights, coarse, fine, right, width_nm - plateau, right, ends, sum);
+    return sum;
+}
+
+Triple LobeIntegral::white() const {
+    Triple sum{};
+    add_plateau(cells_->weights, light_begins_nm, light_ends_nm, sum);
     return sum;
 }
 

@@ -14,7 +14,7 @@ namespace {
 // One text for double and for 50 digits.
 
 constexpr std::size_t most_picks = 8;
-enum LobeMember : std::size_t { peak, width, height, lobe_members };
+enum LobeMember : std::size_t { peak, width, height, floor, flatness, lobe_members };
 
 template <typename T>
 using LobeOf = std::array<T, lobe_members>;
@@ -74,10 +74,13 @@ Nodes<T> nodes_of(const Palette& palette, const std::optional<ModelParameter>& p
     for (const Pick& pick : palette.picks) {
         Node<T>& node = nodes.node[nodes.count];
         node.abscissa = abscissa_of(shape, pick_cosines[nodes.count++]);
-        node.value = {T(pick.lobe.peak_nm), T(pick.lobe.width_nm), T(pick.lobe.height)};
+        node.value = {T(pick.lobe.peak_nm), T(pick.lobe.width_nm), T(pick.lobe.height), T(pick.lobe.floor),
+                      T(pick.lobe.flatness)};
         set("peak_nm", node.value[peak]);
         set("width_nm", node.value[width]);
         set("height", node.value[height]);
+        set("floor", node.value[floor]);
+        set("flatness", node.value[flatness]);
     }
     std::sort(nodes.node.begin(), nodes.node.begin() + static_cast<std::ptrdiff_t>(nodes.count),
               [](const Node<T>& a, const Node<T>& b) { return a.abscissa < b.abscissa; });
@@ -105,8 +108,12 @@ LobeOf<T> lobe_at(const Nodes<T>& nodes, const T& abscissa) {
                       (3 * t2 - 2 * t3) * b.value[m] + (t3 - t2) * step * b.slope[m];
         }
     }
-    if (lobe[height] < 0) lobe[height] = 0;
-    if (lobe[height] > 1) lobe[height] = 1;
+    for (const LobeMember share : {height, floor, flatness}) {
+        if (lobe[share] < 0) lobe[share] = 0;
+        if (lobe[share] > 1) lobe[share] = 1;
+    }
+    // The model's own limit: with 1 the sides would be jumps.
+    if (lobe[flatness] > T(T(999) / 1000)) lobe[flatness] = T(T(999) / 1000);
     if (lobe[width] < 0) lobe[width] = 0;
     return lobe;
 }
@@ -127,9 +134,9 @@ ModelXyz PaletteModel::at(double cosine, double y) const {
     double shape = 0.0;
     const Nodes<double> nodes = nodes_of(palette_, y_, pick_cosines_.data(), y, shape);
     const LobeOf<double> lobe = lobe_at(nodes, abscissa_of(shape, cosine));
-    if (lobe[height] == 0.0) return {};
-    Triple seen = (*integral_)(lobe[peak], lobe[width]);
-    for (double& component : seen) component *= lobe[height];
+    const Triple band = (*integral_)(lobe[peak], lobe[width], lobe[flatness]), white = integral_->white();
+    Triple seen{};
+    for (std::size_t c = 0; c < 3; ++c) seen[c] = lobe[floor] * white[c] + (lobe[height] - lobe[floor]) * band[c];
     return light_->adapted(seen);
 }
 
@@ -142,9 +149,14 @@ XyzNumbers palette_in_50_digits(const ModelScene& scene, double x, double y) {
     const LobeOf<Number> lobe = lobe_at(nodes, abscissa_of(shape, cosine_at(scene.x, Number(x), pi())));
     const Weights weights = weights_of(scene.illuminant, scene.observer_deg);
     // The quadrature takes doubles: what rounding moves the lobe by, 1e-13 nm, moves the colour by less than 1e-14.
-    const XyzNumbers seen = reference_lobe_to_xyz(weights, static_cast<double>(lobe[peak]),
-                                                  static_cast<double>(lobe[width]), static_cast<double>(lobe[height]));
-    const XyzNumbers white = white_of(weights);
+    const auto peak_nm = static_cast<double>(lobe[peak]), width_nm = static_cast<double>(lobe[width]);
+    const auto cells = lobe[flatness] > 0
+                           ? FlatBandMoments(peak_nm, width_nm, static_cast<double>(lobe[flatness])).cells()
+                           : lobe_moments(peak_nm, width_nm);
+    const XyzNumbers white = white_of(weights), band = reference_lobe_to_xyz(weights, cells, 1.0);
+    const Number rise = lobe[height] - lobe[floor];
+    const XyzNumbers seen{lobe[floor] * white.x + rise * band.x, lobe[floor] * white.y + rise * band.y,
+                          lobe[floor] * white.z + rise * band.z};
     const Vector<Number> colour =
         bradford_to_d65<Number>({white.x, white.y, white.z}) * Vector<Number>{seen.x, seen.y, seen.z};
     return {colour[0], colour[1], colour[2]};

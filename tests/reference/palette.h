@@ -14,7 +14,7 @@ namespace nacre::reference {
 /// The exact colour of a palette, without facets.
 class PaletteModel {
 public:
-    /// @param y  `shape`, or `peak_nm`, `width_nm`, `height` of all picks
+    /// @param y  `shape`, or `peak_nm`, `width_nm`, `height`, `floor`, `flatness` of all picks
     PaletteModel(const Palette& palette, const std::optional<ModelParameter>& y, const ModelLight& light);
 
     /// @param cosine  of the angle; @param y  coordinate of the second axis, in [0, 1]

@@ -30,7 +30,10 @@ std::string mechanism_text(const Palette& palette) {
     std::string text = "shape = " + digits(palette.shape) + "\npicks = [\n";
     for (const Pick& pick : palette.picks) {
         text += "    { angle_deg = " + digits(pick.angle_deg) + ", peak_nm = " + digits(pick.lobe.peak_nm) +
-                ", width_nm = " + digits(pick.lobe.width_nm) + ", height = " + digits(pick.lobe.height) + " },\n";
+                ", width_nm = " + digits(pick.lobe.width_nm) + ", height = " + digits(pick.lobe.height);
+        if (pick.lobe.floor != 0.0) text += ", floor = " + digits(pick.lobe.floor);
+        if (pick.lobe.flatness != 0.0) text += ", flatness = " + digits(pick.lobe.flatness);
+        text += " },\n";
     }
     return text + "]\n";
 }

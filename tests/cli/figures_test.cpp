@@ -12,7 +12,7 @@ TEST(Figures, DataScriptAndPlotOfEveryFigureAreWritten) {
     ASSERT_EQ(result.exit_code, 0) << result.err;
     const std::vector<std::string> names = folder.names();
     for (const std::string plot :
-         {"figure5", "figure7", "figure8", "figure9", "figure14", "stacks_morpho", "stacks_beetle"}) {
+         {"figure5", "figure7", "figure8", "figure9", "figure14", "stacks_morpho", "stacks_beetle", "bands"}) {
         EXPECT_TRUE(std::filesystem::exists(folder.path() / (plot + ".png"))) << plot;
         EXPECT_TRUE(std::filesystem::exists(folder.path() / (plot + ".gp"))) << plot;
     }

@@ -14,6 +14,7 @@
 namespace nacre {
 
 // Compiled in from src/cli/figures.
+extern const std::string_view bands_gp;
 extern const std::string_view figure5_gp;
 extern const std::string_view figure7_gp;
 extern const std::string_view figure8_gp;
@@ -177,6 +178,17 @@ PaperFigure figure12(const Specimen& morpho, const Specimen& beetle, const std::
     return figure;
 }
 
+PaperFigure bands() {
+    return {
+        "bands",
+        "What floor and flatness add to the band",
+        "The half cosine of Figure 5, the same band with a plateau, with a floor, and a notch, whose floor is above "
+        "its height. The dashed line repeats the half cosine. Floor and flatness are nacre's, not the paper's.",
+        {paper_bands(), paper_band_lobes()},
+        std::string(bands_gp),
+        {}};
+}
+
 PaperFigure white() {
     return {"white",
             "White by the appendix",
@@ -218,6 +230,7 @@ std::vector<PaperFigure> paper_figures(const ColourSpace& to_display, bool is_sr
             figure14(morpho, beetle, *light, to_display, is_srgb),
             stacks_figure(morpho, light),
             stacks_figure(beetle, light),
+            bands(),
             white()};
 }
 

@@ -45,6 +45,12 @@ Material material(const Specimen& specimen) {
     return {specimen.name, specimen.palette, {}};
 }
 
+// Chosen: a band in the middle of the visible range, and what its floor and flatness make of it.
+constexpr Lobe example_bands[] = {{550.0, 200.0, 0.8, 0.0, 0.0},
+                                  {550.0, 200.0, 0.8, 0.0, 0.5},
+                                  {550.0, 200.0, 0.8, 0.2, 0.0},
+                                  {550.0, 200.0, 0.1, 0.7, 0.0}};
+
 double coordinate(int i, int count) {
     return static_cast<double>(i) / (count - 1);
 }
@@ -205,6 +211,30 @@ Series paper_figure14_colours(const Specimen& specimen, const Light& light) {
         const Lobe lobe = curve.at(incidence);
         const Xyz colour = adapt(light.adaptation, reflectance_xyz(specimen.palette, incidence, light));
         series.rows.push_back(with_colour({angle_deg, lobe.peak_nm, lobe.width_nm, lobe.height}, colour));
+    }
+    return series;
+}
+
+Series paper_bands() {
+    Series series{"bands",
+                  "Reflectance of four bands of a palette; their numbers are in bands_lobes.csv, in the same order",
+                  {"wavelength_nm", "half_cosine", "flat", "with_floor", "notch"},
+                  {}};
+    for (int half_nm = 760; half_nm <= 1560; ++half_nm) {
+        std::vector<double> row{0.5 * half_nm};
+        for (const Lobe& lobe : example_bands) row.push_back(lobe_reflectance(lobe, row.front()));
+        series.rows.push_back(row);
+    }
+    return series;
+}
+
+Series paper_band_lobes() {
+    Series series{"bands_lobes",
+                  "The four bands of bands.csv, one per row",
+                  {"peak_nm", "width_nm", "height", "floor", "flatness"},
+                  {}};
+    for (const Lobe& lobe : example_bands) {
+        series.rows.push_back({lobe.peak_nm, lobe.width_nm, lobe.height, lobe.floor, lobe.flatness});
     }
     return series;
 }

@@ -58,6 +58,10 @@ Series paper_figure12(const Specimen& specimen, const std::shared_ptr<const Ligh
 Series paper_figure14(const Specimen& specimen);
 /// The colour of each curve of Figure 14: angle, lobe, XYZ (D65) and linear Rec.709.
 Series paper_figure14_colours(const Specimen& specimen, const Light& light);
+/// What floor and flatness add to the paper's band: reflectance of four bands at 380-780 nm, every 0.5 nm.
+Series paper_bands();
+/// The numbers of these four bands, one band per row.
+Series paper_band_lobes();
 /// The perfect reflector by (A.1) and (A.2): equal energy, 380-780 nm, not adapted, in linear Rec.709.
 Series paper_white();
 

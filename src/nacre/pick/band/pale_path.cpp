@@ -15,9 +15,9 @@
 namespace nacre {
 namespace {
 
-constexpr double little_chroma = 0.4;  // chosen: below it a strip looks grey
-constexpr double grey = 0.03;          // chosen: chroma of a pick that is hardly a colour
-constexpr int points = 16;             // of a path
+constexpr double little_chroma = 0.4;     // chosen: below it a strip looks grey
+constexpr double hardly_coloured = 0.03;  // chosen: chroma of a pick that is hardly a colour
+constexpr int points = 16;                // of a path
 
 double chroma_of(const Oklab& colour) {
     return std::hypot(colour.a, colour.b);
@@ -51,7 +51,7 @@ Xyz between(const Oklab& a, const Oklab& b) {
     constexpr double step = 0.98;
     for (;; chroma *= step) {
         const Xyz colour = oklab_to_xyz({lightness, chroma * std::cos(hue), chroma * std::sin(hue)});
-        if (is_displayed(to_srgb(colour)) || chroma < grey) return colour;
+        if (is_displayed(to_srgb(colour)) || chroma < hardly_coloured) return colour;
     }
 }
 
@@ -70,7 +70,7 @@ std::vector<PalePath> pale_paths(const Palette& palette, const LobeColour& colou
         const double to_deg = palette.picks[order[i + 1]].angle_deg;
         const Oklab a = seen_at(curve, colour_of, from_deg), b = seen_at(curve, colour_of, to_deg);
         const double paler = std::min(chroma_of(a), chroma_of(b));
-        if (paler < grey) continue;
+        if (paler < hardly_coloured) continue;
         double least = paler;
         for (int point = 1; point < points; ++point) {
             const double angle_deg = std::lerp(from_deg, to_deg, static_cast<double>(point) / points);

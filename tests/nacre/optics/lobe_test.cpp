@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "reference/number.h"
 
@@ -69,6 +70,74 @@ TEST(Lobe, IsTheSameOnBothSidesOfThePeak) {
     const Lobe lobe{512.0, 77.0, 1.0};
     for (double away_nm = 0.0; away_nm < 50.0; away_nm += 0.25) {
         EXPECT_EQ(lobe_reflectance(lobe, 512.0 - away_nm), lobe_reflectance(lobe, 512.0 + away_nm)) << away_nm;
+    }
+}
+
+// A plateau of 50 nm between shoulders of 25 nm.
+const Lobe flat_band{500.0, 100.0, 0.9, 0.1, 0.5};
+const Lobe flat_notch{500.0, 100.0, 0.0, 1.0, 0.5};
+constexpr double sqrt_half = 0.70710678118654752;
+
+TEST(Lobe, WithFlatnessIsItsHeightOnThePlateauAndItsFloorOutside) {
+    for (const double away_nm : {0.0, 10.0, 24.999, 25.0}) {
+        EXPECT_EQ(lobe_reflectance(flat_band, 500.0 - away_nm), 0.9) << away_nm;
+        EXPECT_EQ(lobe_reflectance(flat_band, 500.0 + away_nm), 0.9) << away_nm;
+    }
+    for (const double away_nm : {50.0, 50.001, 75.0, 1e6}) {
+        EXPECT_EQ(lobe_reflectance(flat_band, 500.0 - away_nm), 0.1) << away_nm;
+        EXPECT_EQ(lobe_reflectance(flat_band, 500.0 + away_nm), 0.1) << away_nm;
+    }
+}
+
+TEST(Lobe, ShouldersAreQuartersOfACosine) {
+    // cos(pi / 4) half way down, cos(pi / 3) two thirds of the way.
+    EXPECT_NEAR(lobe_reflectance(flat_band, 537.5), 0.1 + 0.8 * sqrt_half, 1e-15);
+    EXPECT_NEAR(lobe_reflectance(flat_band, 462.5), 0.1 + 0.8 * sqrt_half, 1e-15);
+    EXPECT_NEAR(lobe_reflectance(flat_band, 500.0 + 125.0 / 3.0), 0.5, 1e-14);
+    EXPECT_NEAR(lobe_reflectance({500.0, 100.0, 0.9, 0.1}, 525.0), 0.1 + 0.8 * sqrt_half, 1e-15);
+}
+
+TEST(Lobe, NotchIsWhatABandLeaves) {
+    EXPECT_EQ(lobe_reflectance(flat_notch, 510.0), 0.0);
+    EXPECT_EQ(lobe_reflectance(flat_notch, 560.0), 1.0);
+    EXPECT_NEAR(lobe_reflectance(flat_notch, 537.5), 1.0 - sqrt_half, 1e-15);
+    for (double nm = 440.0; nm < 560.0; nm += 0.5) {
+        const double band = lobe_reflectance({500.0, 100.0, 1.0, 0.0, 0.5}, nm);
+        EXPECT_NEAR(lobe_reflectance(flat_notch, nm), 1.0 - band, 1e-15) << nm;
+    }
+}
+
+TEST(Lobe, GreyAndWithoutWidthIsItsFloorEverywhere) {
+    for (const double nm : {360.0, 500.0, 501.0, 830.0}) {
+        EXPECT_EQ(lobe_reflectance({500.0, 100.0, 0.3, 0.3, 0.7}, nm), 0.3);
+        EXPECT_EQ(lobe_reflectance({500.0, 0.0, 0.8, 0.3, 0.7}, nm), 0.3);
+    }
+}
+
+TEST(Lobe, WithoutFloorAndFlatnessIsTheHalfCosineBitByBit) {
+    reference::Uniform uniform(5);
+    for (int i = 0; i < 1000; ++i) {
+        const double width_nm = uniform.between(1.0, 400.0), height = uniform.between(0.0, 1.0);
+        const double away_nm = std::abs(500.0 + uniform.between(-0.49, 0.49) * width_nm - 500.0);
+        EXPECT_EQ(lobe_reflectance({500.0, width_nm, height}, 500.0 + away_nm),
+                  height * std::cos(std::numbers::pi * std::abs(500.0 + away_nm - 500.0) / width_nm));
+    }
+}
+
+TEST(Lobe, WithFloorAndFlatnessIsItsFormulaIn50Digits) {
+    reference::Uniform uniform(6);
+    for (int i = 0; i < 2000; ++i) {
+        const Lobe lobe{uniform.between(300.0, 900.0), std::pow(10.0, uniform.between(0.0, 3.0)),
+                        uniform.between(0.0, 1.0), uniform.between(0.0, 1.0), uniform.between(0.0, 0.9)};
+        const double wavelength_nm = lobe.peak_nm + 0.55 * lobe.width_nm * uniform.between(-1.0, 1.0);
+        const Number x = abs(Number(wavelength_nm) - Number(lobe.peak_nm)) / Number(lobe.width_nm);
+        const Number s(lobe.flatness);
+        const Number band = 2 * x <= s  ? Number(1)
+                            : 2 * x < 1 ? Number(cos(reference::pi() * (x - s / 2) / (1 - s)))
+                                        : Number(0);
+        const Number exact = lobe.floor + (Number(lobe.height) - Number(lobe.floor)) * band;
+        // The distance, 1e-16 of the width, is divided by the shoulders, a tenth of it at least.
+        EXPECT_LT(reference::distance(lobe_reflectance(lobe, wavelength_nm), exact), 1e-14);
     }
 }
 

@@ -31,7 +31,7 @@ struct RandomPick {
 
 // One in eight is brighter than a screen shows, so that some have to be dimmed.
 RandomPick random_pick(reference::Dice& dice, double angle_deg) {
-    char text[120];
+    char text[240];
     const auto rgb = random_rgb(dice);
     if (dice.chance(0.125)) {
         const reference::ModelRgb linear{1.4 * rgb[0], 1.4 * rgb[1], 1.4 * rgb[2]};

@@ -57,7 +57,7 @@ std::vector<RandomPick> random_material(reference::Dice& dice) {
 std::string scene_of(const std::vector<RandomPick>& picks) {
     std::string text = "[material.m]\npicks = [ ";
     for (const RandomPick& pick : picks) text += (&pick == &picks.front() ? "" : ", ") + pick.text;
-    return text + " ]\n[lut.m]\nx = \"cos_theta\"\n";
+    return text + " ]\n[lut.m]\nx = \"sqrt_cos_theta\"\n";
 }
 
 reference::Pixels pixels_of(const Image<Rgb>& image) {
@@ -71,7 +71,7 @@ TEST(PickedMaterials, ShowTheirPicksInTheirLutsWithinTheBound) {
     const SceneFiles files = scene_files_with_colours("s.toml", "", open_ocio_spaces);
     reference::Dice dice(7);
     Failures failures;
-    int dimmed = 0;
+    int dimmed = 0, not_reached = 0;
     const int count = sweeps_all_picks() ? 1000 : 60;
     for (int i = 0; i < count; ++i) {
         const std::vector<RandomPick> picks = random_material(dice);
@@ -79,8 +79,12 @@ TEST(PickedMaterials, ShowTheirPicksInTheirLutsWithinTheBound) {
         const Plan plan = plan_scene(parse_scene(scene, "s.toml"), files);
         const ColourTransform transform = config.to_colour_space(plan.colour.space, "test");
         const ChosenLut chosen = choose_lut(plan.luts.at(0), lut_encoding(transform, plan.colour.gamut));
-        EXPECT_TRUE(chosen.is_reached) << scene;
-        const reference::Pixels lut = pixels_of(bake_lut(chosen, plan, {}, transform).image);
+        const BakedLut baked = bake_lut(chosen, plan, {}, transform);
+        ASSERT_TRUE(baked.reached) << scene;
+        not_reached += !chosen.is_reached;
+        // What is asked for by default is a goal; a LUT that misses it says what it reaches.
+        const double bound = chosen.is_reached ? chosen.lut.request.max_de00 : *baked.reached;
+        const reference::Pixels lut = pixels_of(baked.image);
         const double scale = reference::scale_of(lut);
         const auto& picked = plan.materials.at(0).picked;
         ASSERT_EQ(picked.size(), picks.size());
@@ -89,15 +93,17 @@ TEST(PickedMaterials, ShowTheirPicksInTheirLutsWithinTheBound) {
             // The colour itself, if it can be had; what it is dimmed to is judged in exact_bands_test.cpp.
             dimmed += !picked[k].shown.is_as_picked();
             const reference::ModelXyz wanted = picks[k].can_be_had ? picks[k].colour : shown;
-            const double cosine = std::cos(picks[k].angle_deg * std::numbers::pi / 180.0);
-            const double error = reference::error_at(lut, scale, cosine, 0.0, wanted);
+            const double x = std::sqrt(std::cos(picks[k].angle_deg * std::numbers::pi / 180.0));
+            const double error = reference::error_at(lut, scale, x, 0.0, wanted);
             // 0.01 for the band itself, as everywhere.
-            if (!(error <= chosen.lut.request.max_de00 + 0.01))
-                failures.add(picks[k].text + " differs by " + std::to_string(error) + " in\n" + scene);
+            if (!(error <= bound + 0.01))
+                failures.add(picks[k].text + " differs by " + std::to_string(error) + " where " +
+                             std::to_string(bound) + " was promised in\n" + scene);
         }
     }
     EXPECT_EQ(failures.count, 0) << "of " << count << ", such as" << failures.first.str();
     EXPECT_GT(dimmed, 0);
+    RecordProperty("not_reached", not_reached);
 }
 
 }  // namespace

@@ -16,7 +16,7 @@
 namespace nacre {
 namespace {
 
-// Grids of the tables, chosen so that Newton's method starts near enough (tests/nacre/pick/exact_bands_test.cpp).
+// Grids of the tables, chosen so that Newton's method starts near enough (tests/nacre/pick/band/exact_bands_test.cpp).
 constexpr std::size_t peaks = 96;
 constexpr std::size_t spreads = 40;
 constexpr std::size_t box_places = 64;

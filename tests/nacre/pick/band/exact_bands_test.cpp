@@ -8,6 +8,7 @@
 #include <cmath>
 #include <functional>
 #include <numbers>
+#include <ostream>
 #include <string>
 #include <tuple>
 
@@ -33,6 +34,9 @@ struct Space {
     const char* name;
     ModelXyz (*to_xyz)(const ModelRgb& rgb);
 };
+void PrintTo(const Space& space, std::ostream* out) {
+    *out << space.name;
+}
 
 // Even as a screen shows them, so that dark and saturated colours are among them.
 ModelXyz p3_colour(const ModelRgb& encoded) {

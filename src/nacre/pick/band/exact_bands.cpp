@@ -28,8 +28,10 @@ constexpr double nm_per_unit = 100.0;
 constexpr double difference = 1e-4;    // of the units above, for slopes
 constexpr double longest_step = 0.15;  // in the same units
 constexpr double exact_enough = 1e-9;  // of u' + v', and of XYZ relative to the colour's own Y
-constexpr double rounding = 2e-5;      // by which a level may exceed 1, before it is made 1
-constexpr double damping = 1e-10;      // of the normal equations, where a number makes no difference
+constexpr double nearly_exact = 1e-6;  // of the same: CIEDE2000 0.003 at most, where the spectrum's ends count little
+constexpr double hardly_too_dark = 0.1;
+constexpr double rounding = 2e-5;  // by which a level may exceed 1, before it is made 1
+constexpr double damping = 1e-10;  // of the normal equations, where a number makes no difference
 
 double level_of(const Xyz& target, const Xyz& unit) {
     return target.y / unit.y;
@@ -44,6 +46,10 @@ UnitBand moved(const UnitBand& band, const glm::dvec3& step) {
     return {band.peak_nm + nm_per_unit * step.x, band.spread + step.y, band.flatness + step.z};
 }
 
+double size_of(const glm::dvec3& v) {
+    return std::abs(v.x) + std::abs(v.y) + std::abs(v.z);
+}
+
 bool is_finite(const glm::dvec3& v) {
     return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }
@@ -56,13 +62,9 @@ bool is_finite(const glm::dvec3& v) {
 template <typename Residual>
 bool newton(const Light& light, int free, const Residual& residual, UnitBand& band) {
     glm::dvec3 here = residual(band);
-    double last_error = 0.0;
-    for (int step = 0; step < most_steps; ++step) {
-        const double error = std::abs(here.x) + std::abs(here.y) + std::abs(here.z);
-        if (!std::isfinite(error)) return false;
+    double error = size_of(here);
+    for (int step = 0; step < most_steps && std::isfinite(error); ++step) {
         if (error < exact_enough) return true;
-        if (step > 2 && error >= last_error) return false;  // far from any solution
-        last_error = error;
         glm::dmat3 slopes(0.0);
         for (int i = 0; i < free; ++i) {
             glm::dvec3 beside(0.0);
@@ -78,12 +80,21 @@ bool newton(const Light& light, int free, const Residual& residual, UnitBand& ba
         if (!is_finite(change)) return false;
         const double length = std::max({std::abs(change.x), std::abs(change.y), std::abs(change.z)});
         if (length > longest_step) change *= longest_step / length;
-        const UnitBand next = within_limits(light, moved(band, change));
-        if (next.peak_nm == band.peak_nm && next.spread == band.spread && next.flatness == band.flatness) return false;
+        // Shorter steps, until one leads nearer.
+        constexpr int halvings = 5;
+        UnitBand next;
+        glm::dvec3 there(0.0);
+        for (int i = 0; i <= halvings; ++i, change *= 0.5) {
+            next = within_limits(light, moved(band, change));
+            there = residual(next);
+            if (size_of(there) < error) break;
+        }
+        if (!(size_of(there) < error)) break;
         band = next;
-        here = residual(band);
+        here = there;
+        error = size_of(here);
     }
-    return false;
+    return error < nearly_exact;
 }
 
 std::vector<double> make_edges_nm(const TristimulusWeights& weights) {
@@ -250,20 +261,24 @@ UnitBand ExactBands::less_flat(BandKind kind, const Xyz& target, UnitBand flat) 
 // @param target  of a band between 0 and 1
 std::optional<UnitBand> ExactBands::least_flat(BandKind kind, const Xyz& target, const Roots& roots) const {
     const auto flat = flattest(kind, target);
-    if (!flat) return {};
-    const double level_of_flat = level_of(target, colour_of(kind, *flat));
-    if (level_of_flat > 1.0 + rounding) return {};
-    if (level_of_flat > 1.0 - rounding) return flat;
+    const double level_of_flat = flat ? level_of(target, colour_of(kind, *flat)) : 2.0;
+    const bool is_bright_enough = level_of_flat <= 1.0 + rounding;
+    if (is_bright_enough && level_of_flat > 1.0 - rounding) return flat;
     std::optional<UnitBand> best;
     for (std::size_t i = 0; i < roots.count; ++i) {
         const UnitBand& root = roots.band[i];
         const double too_dark = level_of(target, colour_of(kind, root)) - 1.0;
-        const double t = std::clamp(too_dark / (too_dark + 1.0 - level_of_flat), 0.05, 0.95);
-        UnitBand band{std::lerp(root.peak_nm, flat->peak_nm, t), std::lerp(root.spread, flat->spread, t),
-                      t * largest_flatness};
+        UnitBand band = root;
+        if (is_bright_enough) {
+            const double t = std::clamp(too_dark / (too_dark + 1.0 - level_of_flat), 0.05, 0.95);
+            band = {std::lerp(root.peak_nm, flat->peak_nm, t), std::lerp(root.spread, flat->spread, t),
+                    t * largest_flatness};
+        } else if (too_dark > hardly_too_dark) {
+            continue;  // nearly white, a band may lose light again as it gets flatter; it is no more than this
+        }
         if (solve_colour(kind, target, band) && (!best || band.flatness < best->flatness)) best = band;
     }
-    if (best) return best;
+    if (best || !is_bright_enough) return best;
     UnitBand band = *flat;
     band.flatness = 0.3;  // chosen: what most of them have
     band.spread = std::min(band.spread * std::sqrt(fullness(flat->flatness) / fullness(band.flatness)), 1.0);

@@ -32,6 +32,9 @@ ShownColour shown_colour(const ExactBands& bands, const Light& light, const Xyz&
         if (most > 1.0 - rounding) return {colour};
         return {scaled(colour, most), most, 1.0};
     }
+    // Next to the ends of the spectrum a colour may have bands although the brightest was not found.
+    const Xyz in_light = adapt(to_light, colour);
+    if (bands.find(in_light, BandKind::band, 0.0) || bands.find(in_light, BandKind::notch, 0.0)) return {colour};
     // The share of the chroma that equals the share of the lightness, by bisection to a tenth of what is visible.
     double inside = 0.0;
     double outside = 1.0;

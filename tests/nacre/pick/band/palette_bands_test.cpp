@@ -115,8 +115,7 @@ public:
         const double below = is_notch(answer) ? 1.0 : answer.flatness - 0.01;
         for (const auto& [flatness, table] : tables_) {
             if (flatness > below) continue;
-            if (const std::string band = bright_band(table, flatness, target, colour[1], 0.0); !band.empty())
-                return band;
+            if (std::string band = bright_band(table, flatness, target, colour[1], 0.0); !band.empty()) return band;
         }
         if (!is_notch(answer) && below > 0.0)
             return bright_band(BandsOfFlatness(light_, below), below, target, colour[1], 0.0);

@@ -97,8 +97,8 @@ Json picked_json(const PickedColour& picked) {
         json["height"] = picked.lobe->height;
         json["floor"] = picked.lobe->floor;
         json["flatness"] = picked.lobe->flatness;
-        json["shown_luminance"] = picked.shown.luminance;
-        json["shown_chroma"] = picked.shown.chroma;
+        json["shown_luminance"] = std::round(picked.shown.luminance * 1e6) / 1e6;
+        json["shown_chroma"] = std::round(picked.shown.chroma * 1e6) / 1e6;
     }
     json["de00"] = rounded_up(picked.de00);
     json["match"] = picked.is_met() ? (picked.lobe ? "exact" : "met") : (picked.lobe ? "dimmed" : "missed");

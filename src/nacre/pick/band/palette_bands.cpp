@@ -52,6 +52,15 @@ Lobe as_grey(Lobe band, double luminance) {
     return band;
 }
 
+// What is beyond these digits cannot be seen, and it would depend on the compiler.
+Lobe rounded(const Lobe& band) {
+    const auto round_to = [](double value, double digits) { return std::round(value * digits) / digits; };
+    constexpr double of_nm = 1e5;
+    constexpr double of_one = 1e8;
+    return {round_to(band.peak_nm, of_nm), round_to(band.width_nm, of_nm), round_to(band.height, of_one),
+            round_to(band.floor, of_one), round_to(band.flatness, of_one)};
+}
+
 class Choice {
 public:
     Choice(const ExactBands& bands, const Light& light)
@@ -197,7 +206,7 @@ private:
 
 std::vector<Lobe> palette_bands(const ExactBands& bands, const Light& light, const std::vector<ColourOrBand>& picks) {
     const Choice choice(bands, light);
-    if (picks.size() == 1) return {picks[0].colour ? choice.only_band(*picks[0].colour) : picks[0].band};
+    if (picks.size() == 1) return {picks[0].colour ? rounded(choice.only_band(*picks[0].colour)) : picks[0].band};
     std::vector<std::size_t> order(picks.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
     std::stable_sort(order.begin(), order.end(),
@@ -217,7 +226,8 @@ std::vector<Lobe> palette_bands(const ExactBands& bands, const Light& light, con
             found.insert(found.begin(), as_grey(found.front(), *std::prev(list)->grey));
     }
     std::vector<Lobe> result(picks.size());
-    for (std::size_t i = 0; i < order.size(); ++i) result[order[i]] = found[i];
+    for (std::size_t i = 0; i < order.size(); ++i)
+        result[order[i]] = picks[order[i]].colour ? rounded(found[i]) : picks[order[i]].band;
     return result;
 }
 

@@ -28,7 +28,7 @@ struct ColourOrBand {
 ///
 /// is least, among bands with several floors each (dynamic programming over the picks in the order of their angles).
 /// Black and grey say nothing about peak and width: they take those of a neighbour.
-/// @return a band per pick, in the order of the picks
+/// @return a band per pick, in the order of the picks; those of colours rounded to 1e-5 nm and 1e-8
 std::vector<Lobe> palette_bands(const ExactBands& bands, const Light& light, const std::vector<ColourOrBand>& picks);
 
 }  // namespace nacre

@@ -35,10 +35,10 @@ std::string percent_text(double share) {
 // What a palette shows instead, and why.
 std::string dimmed_text(const PickedColour& picked) {
     const ShownColour& shown = picked.shown;
+    const std::string error = "CIEDE2000 is " + significant_text(picked.de00, 3);
+    if (shown.luminance == 0.0) return "is shown as black, because the colour is darker than black; " + error;
     std::string text = "is dimmed to " + percent_text(shown.luminance) + " of its luminance";
-    if (picked.colour.y <= 0.0 || shown.luminance == 0.0) {
-        text = "is shown as black, because the colour is darker than black";
-    } else if (shown.chroma < 1.0) {
+    if (shown.chroma < 1.0) {
         text += " and made paler, to " + percent_text(shown.chroma) +
                 " of its chroma, because it is more saturated than the light of a single wavelength";
     } else if (picked.colour.y > all_light) {
@@ -46,7 +46,7 @@ std::string dimmed_text(const PickedColour& picked) {
     } else {
         text += ", because no reflectance is both so bright and so saturated";
     }
-    text += "; the hue stays, and CIEDE2000 is " + significant_text(picked.de00, 3);
+    text += "; the hue stays, and " + error;
     if (picked.looks_like_bytes) text += "; components go from 0 to 1, and these look like 0 to 255";
     return text;
 }

@@ -110,9 +110,6 @@ struct LobeIntegral::Cells {
     WholeCells<5> fine;
 };
 
-LobeIntegral::LobeIntegral(const ModelLight& light) : cells_(std::make_unique<const Cells>(light.weights())) {}
-LobeIntegral::~LobeIntegral() = default;
-
 namespace {
 
 // The part of cos(pi (nm - peak) / width) between two wavelengths.
@@ -153,6 +150,12 @@ void add_plateau(const NodeWeights& weights, double begin_nm, double end_nm, Tri
 
 }  // namespace
 
+LobeIntegral::LobeIntegral(const ModelLight& light) : cells_(std::make_unique<const Cells>(light.weights())) {
+    add_plateau(cells_->weights, light_begins_nm, light_ends_nm, white_);
+}
+
+LobeIntegral::~LobeIntegral() = default;
+
 Triple LobeIntegral::operator()(double peak_nm, double width_nm, double flatness) const {
     const auto& [weights, coarse, fine] = *cells_;
     const double plateau = flatness * width_nm;
@@ -166,12 +169,6 @@ Triple LobeIntegral::operator()(double peak_nm, double width_nm, double flatness
     add_cosine(weights, coarse, fine, left, width_nm - plateau, begins, left, sum);
     add_plateau(weights, left, right, sum);
     add_cosine(weights, coarse, fine, right, width_nm - plateau, right, ends, sum);
-    return sum;
-}
-
-Triple LobeIntegral::white() const {
-    Triple sum{};
-    add_plateau(cells_->weights, light_begins_nm, light_ends_nm, sum);
     return sum;
 }
 

@@ -18,11 +18,12 @@ public:
     /// Of a lobe of height 1. @param flatness  the plateau's share of the width, in [0, 1)
     Triple operator()(double peak_nm, double width_nm, double flatness = 0.0) const;
     /// Of R = 1.
-    Triple white() const;
+    const Triple& white() const { return white_; }
 
 private:
     struct Cells;
     std::unique_ptr<const Cells> cells_;
+    Triple white_{};
 };
 
 }  // namespace nacre::reference

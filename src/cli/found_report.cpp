@@ -5,10 +5,34 @@
 #include "nacre/base/text.h"
 
 namespace nacre {
+namespace {
+
+constexpr std::size_t most_listed = 4;  // errors of picks
+
+// Two digits, but no more than hundredths: what is less cannot be seen.
+std::string short_de00(double de00) {
+    return number_text(std::stod(de00 < 0.1 ? fixed_text(de00, 2) : significant_text(de00, 2)));
+}
+
+// "dE00 0.35 and 1, through cyan and blue".
+std::string outcome_text(const MechanismAnswer& answer) {
+    const std::string through = path_text(answer.path);
+    std::string text = "dE00 ";
+    if (answer.de00.size() > most_listed) {
+        text += "at most " + short_de00(*std::max_element(answer.de00.begin(), answer.de00.end()));
+    } else {
+        for (std::size_t i = 0; i < answer.de00.size(); ++i) {
+            text += i == 0 ? "" : i + 1 < answer.de00.size() ? ", " : " and ";
+            text += short_de00(answer.de00[i]);
+        }
+    }
+    return text + (through.empty() ? "" : ", " + through);
+}
+
+}  // namespace
 
 std::string answer_text(const MaterialSearch& search, std::size_t answer) {
     const FoundMechanism& found = search.found[answer];
-    constexpr std::size_t most_listed = 4;
     std::string text = found_text(search.search, found) + " (dE00 ";
     if (found.de00.size() > most_listed) {
         text += "at most " + significant_text(*std::max_element(found.de00.begin(), found.de00.end()), 2) + ", ";
@@ -22,6 +46,20 @@ std::string answer_text(const MaterialSearch& search, std::size_t answer) {
         text += "together " + significant_text(*found.near_error, 2);
     }
     return text + ")";
+}
+
+std::string mechanism_answer_text(const MechanismAnswer& answer) {
+    return "--mechanism " + answer.mechanism +
+           (answer.answer > 0 ? " --choose " + std::to_string(answer.answer + 1) : "") + ": " + outcome_text(answer);
+}
+
+std::string mechanism_answer_line(const MechanismAnswer& answer) {
+    return answer.mechanism + (answer.text.empty() ? "" : ": " + answer.text) + " (" + outcome_text(answer) + ")";
+}
+
+Json mechanism_answer_json(const MechanismAnswer& answer) {
+    return {{"mechanism", answer.mechanism}, {"choose", answer.answer + 1},  {"de00", answer.de00},
+            {"error", answer.error},         {"chroma", answer.path.chroma}, {"through", answer.path.hues}};
 }
 
 Json found_json(const MaterialSearch& search) {

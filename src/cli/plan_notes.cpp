@@ -67,7 +67,8 @@ void note_pale_paths(const LoadedScene& scene, Console& console) {
     for (const SceneMaterial& material : scene.plan.materials) {
         const auto* palette = std::get_if<Palette>(&material.mechanism);
         for (const PalePath& path : material.pale_paths)
-            console.summary(called(material.name, scene) + ": " + pale_path_text(path, *palette));
+            console.summary(called(material.name, scene) + ": " + pale_path_text(path, *palette) +
+                            (path.middle_helps ? "" : "; nacre pick looks for a film or a stack that does"));
     }
 }
 

@@ -1,11 +1,14 @@
 // `nacre pick`, as its users run it, where picks lead to films, stacks, gratings and crystals.
+#include <OpenImageIO/imageio.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <numbers>
 #include <ostream>
 #include <regex>
 #include <sstream>
@@ -239,6 +242,101 @@ TEST(PickOptions, SwatchIsAPng) {
     EXPECT_EQ(file_bytes(folder.path() / "b.png").substr(0, 8), "\x89PNG\r\n\x1a\n");
 }
 
+// ---- What others make of the same colours
+
+constexpr double degree = std::numbers::pi / 180.0;
+const Arguments green_to_purple{"#22aa44@0", "#8822cc@60"};
+
+using Texel = std::array<float, 3>;
+
+// Of a LUT with one axis; empty if it cannot be read.
+std::vector<Texel> texels_of(const std::filesystem::path& file) {
+    const auto input = OIIO::ImageInput::open(file.string());
+    if (!input) return {};
+    std::vector<Texel> texels(static_cast<std::size_t>(input->spec().width));
+    if (!input->read_image(0, 0, 0, 3, OIIO::TypeDesc::FLOAT, texels.data())) return {};
+    return texels;
+}
+
+std::string text_of(const Texel& texel) {
+    return std::to_string(texel[0]) + "," + std::to_string(texel[1]) + "," + std::to_string(texel[2]);
+}
+
+TEST(PickBeside, NamesAStackThatKeepsItsWord) {
+    const TemporaryFolder folder;
+    const ProgramOptions here{folder.path(), {}, {}, {}};
+    const ProgramResult palette = pick(green_to_purple, here);
+    ASSERT_EQ(palette.exit_code, 0) << palette.err;
+    EXPECT_NE(palette.out.find("the colour passes through grey"), std::string::npos) << palette.out;
+    std::smatch named;
+    const std::regex line(
+        R"(# also: (--mechanism stack)(?: --choose (\d+))?: dE00 (\S+) and (\S+), through cyan and blue\n)");
+    ASSERT_TRUE(std::regex_search(palette.out, named, line)) << palette.out;
+
+    Arguments typed = with(green_to_purple, {"--mechanism", "stack"});
+    if (named[2].matched) typed = with(typed, {"--choose", named[2]});
+    const ProgramResult stack = pick(typed, here);
+    ASSERT_EQ(stack.exit_code, 0) << stack.err;
+    const std::vector<double> de00 = commented_de00(stack.out);
+    ASSERT_EQ(de00.size(), 2u);
+    EXPECT_NEAR(de00[0], std::stod(named[3]), 0.01 + 0.05 * de00[0]);
+    EXPECT_NEAR(de00[1], std::stod(named[4]), 0.01 + 0.05 * de00[1]);
+    // Its texture is blue on the way: more blue than anything else, which neither end nor grey is.
+    folder.file("s.toml", stack.out);
+    ASSERT_EQ(run_nacre({"bake", "s.toml", "-o", "out"}, here).exit_code, 0);
+    const std::vector<Texel> texels = texels_of(folder.path() / "out/picked.exr");
+    ASSERT_FALSE(texels.empty());
+    EXPECT_TRUE(std::any_of(texels.begin(), texels.end(), [&](const Texel& rgb) {
+        const double x = static_cast<double>(&rgb - texels.data()) / static_cast<double>(texels.size() - 1);
+        const bool is_between = x * x > std::cos(50.0 * degree) && x * x < std::cos(20.0 * degree);
+        return is_between && rgb[2] > 2.0F * rgb[1] && rgb[2] > 3.0F * rgb[0];
+    }));
+}
+
+TEST(PickBeside, IsLeftOutForAPaletteThatWasAskedFor) {
+    const ProgramResult palette = pick(with(green_to_purple, {"--mechanism", "palette"}));
+    EXPECT_EQ(palette.exit_code, 0) << palette.err;
+    EXPECT_EQ(palette.out.find("# also: "), std::string::npos) << palette.out;
+    const auto json = parsed(run_nacre(with({"--json", "pick"}, green_to_purple)));
+    ASSERT_EQ(json["beside"].size(), 1u) << json;
+    EXPECT_EQ(json["beside"][0]["mechanism"], "stack");
+    EXPECT_EQ(json["beside"][0]["through"], (std::vector<std::string>{"cyan", "blue"}));
+}
+
+TEST(PickAuto, RanksAllMechanismsAndPrintsTheOneThatIsChosen) {
+    const Arguments automatic = with(green_to_purple, {"--mechanism", "auto"});
+    const auto json = parsed(run_nacre(with({"--json", "pick"}, automatic)));
+    ASSERT_EQ(json["ranked"].size(), 5u) << json;
+    EXPECT_EQ(json["ranked"][0]["mechanism"], "palette");  // it alone meets both
+    double before = 0.0;
+    for (const auto& one : json["ranked"]) {
+        EXPECT_GE(one["error"], before);
+        before = one["error"];
+    }
+    const std::string second = json["ranked"][1]["mechanism"], best = json["scene"];
+    EXPECT_NE(best.find("\nmechanism = \"palette\"\n"), std::string::npos) << best;
+    EXPECT_NE(best.find("#   2: " + second + ": "), std::string::npos) << best;
+    const ProgramResult other = pick(with(automatic, {"--choose", "2"}));
+    EXPECT_NE(other.out.find("\nmechanism = \"" + second + "\"\n"), std::string::npos) << other.out;
+    EXPECT_NE(other.out.find("#   1: palette (dE00 0 and 0, through grey)\n"), std::string::npos) << other.out;
+}
+
+// A film is simpler than a palette of two picks, if it meets them: three numbers instead of seven.
+TEST(PickAuto, TakesTheFilmThatTheColoursCameFrom) {
+    const TemporaryFolder folder;
+    const ProgramOptions here{folder.path(), {}, {}, {}};
+    folder.file("film.toml",
+                "[material.m]\nmechanism = \"film\"\nindex = 1.5\nthickness_nm = 330\nsubstrate = 3\n"
+                "[lut.m]\nmaterial = \"m\"\nx = \"theta_deg\"\nsize = 128\nformat = \"float\"\n");
+    ASSERT_EQ(run_nacre({"bake", "film.toml", "-o", "out"}, here).exit_code, 0);
+    const std::vector<Texel> texels = texels_of(folder.path() / "out/m.exr");
+    ASSERT_EQ(texels.size(), 128u);
+    const Arguments colours{text_of(texels[0]) + "@0", text_of(texels[64]) + "@" + std::to_string(90.0 * 64.0 / 127.0)};
+    const ProgramResult found = pick(with(colours, {"--mechanism", "auto", "--space", "lin_rec709"}), here);
+    ASSERT_EQ(found.exit_code, 0) << found.err;
+    EXPECT_NE(found.out.find("\nmechanism = \"film\"\n"), std::string::npos) << found.out;
+}
+
 // ---- Picks at the edge of sense
 
 struct Degenerate {
@@ -381,6 +479,18 @@ INSTANTIATE_TEST_SUITE_P(
                 "--with index is given twice"},
         Mistake{"WithOfTwoLines", with(blue_film, {"--with", "index = 1.3\n[light]"}), 2, "is not a key and a value"},
         Mistake{"WithoutQuotes", with(blue_film, {"--with", "index = water"}), 2, "put text in quotes"},
+        Mistake{"NoSuchMechanism",
+                {"#2c6@0", "--mechanism", "auto", "--choose", "6"},
+                2,
+                "--choose 6: the answers are 1 to 5; give one of these numbers"},
+        Mistake{"AutoOfMeasured",
+                {"--measured", gold_beetle, "--mechanism", "auto"},
+                2,
+                "compares what mechanisms make of colours"},
+        Mistake{"AutoWithAKey",
+                {"#2c6@0", "--mechanism", "auto", "--with", "index = 1.3"},
+                2,
+                "each mechanism has keys of its own; name one of palette, film, stack, grating, crystal"},
         Mistake{
             "ChooseOfAPalette", {"#2c6@0", "#2c9@40", "--choose", "2"}, 2, "--choose: a palette is the only answer"},
         Mistake{"PicksOfNothingMeasured", {"#2c6@0", "#2c9@40", "--picks", "3"}, 2, "--picks sets the number"},

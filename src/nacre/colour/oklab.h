@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cmath>
+
 #include <glm/mat3x3.hpp>
 
 #include "nacre/colour/colour_types.h"
@@ -26,6 +28,11 @@ Oklab xyz_to_oklab(Xyz colour);
 
 /// The inverse.
 Xyz oklab_to_xyz(const Oklab& colour);
+
+/// 0 for grey.
+inline double chroma_of(const Oklab& colour) {
+    return std::hypot(colour.a, colour.b);
+}
 
 /// The two linear steps of the inverse, for code that works between them: XYZ = first * (second * (L, a, b))³.
 const glm::dmat3& xyz_of_oklab_cones();

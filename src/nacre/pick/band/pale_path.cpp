@@ -11,20 +11,18 @@
 #include "nacre/colour/oklab.h"
 #include "nacre/colour/rgb_space.h"
 #include "nacre/optics/incidence.h"
+#include "nacre/pick/colour_path.h"
 
 namespace nacre {
 namespace {
 
-constexpr double little_chroma = 0.4;     // chosen: below it a strip looks grey
-constexpr double hardly_coloured = 0.03;  // chosen: chroma of a pick that is hardly a colour
-constexpr int points = 16;                // of a path
-
-double chroma_of(const Oklab& colour) {
-    return std::hypot(colour.a, colour.b);
-}
-
-Oklab seen_at(const PaletteCurve& curve, const LobeColour& colour_of, double angle_deg) {
-    return xyz_to_oklab(colour_of(curve.at(Incidence::from_degrees(angle_deg))));
+std::vector<Xyz> seen_between(const PaletteCurve& curve, const LobeColour& colour_of, double from_deg, double to_deg) {
+    std::vector<Xyz> colours;
+    for (std::size_t i = 0; i < colours_of_path; ++i) {
+        const double share = static_cast<double>(i) / (colours_of_path - 1);
+        colours.push_back(colour_of(curve.at(Incidence::from_degrees(std::lerp(from_deg, to_deg, share)))));
+    }
+    return colours;
 }
 
 Rgb to_srgb(const Xyz& colour) {  // linear
@@ -68,17 +66,11 @@ std::vector<PalePath> pale_paths(const Palette& palette, const LobeColour& colou
     for (std::size_t i = 0; i + 1 < order.size(); ++i) {
         const double from_deg = palette.picks[order[i]].angle_deg;
         const double to_deg = palette.picks[order[i + 1]].angle_deg;
-        const Oklab a = seen_at(curve, colour_of, from_deg), b = seen_at(curve, colour_of, to_deg);
-        const double paler = std::min(chroma_of(a), chroma_of(b));
-        if (paler < hardly_coloured) continue;
-        double least = paler;
-        for (int point = 1; point < points; ++point) {
-            const double angle_deg = std::lerp(from_deg, to_deg, static_cast<double>(point) / points);
-            least = std::min(least, chroma_of(seen_at(curve, colour_of, angle_deg)));
-        }
-        if (least < little_chroma * paler)
-            paths.push_back(
-                {order[i], order[i + 1], least / paler, std::round(0.5 * (from_deg + to_deg)), between(a, b), false});
+        const std::vector<Xyz> colours = seen_between(curve, colour_of, from_deg, to_deg);
+        const ColourPath path = colour_path(colours);
+        if (!path.is_pale()) continue;
+        paths.push_back({order[i], order[i + 1], path.chroma, std::round(0.5 * (from_deg + to_deg)),
+                         between(xyz_to_oklab(colours.front()), xyz_to_oklab(colours.back())), false});
     }
     return paths;
 }
@@ -115,7 +107,7 @@ std::string pale_path_text(const PalePath& path, const Palette& palette) {
                              significant_text(100.0 * path.chroma, 2) + " % of the chroma is left); ";
     if (path.middle_helps)
         return text + "the pick " + middle_pick_text(path) + " between them leads through other hues";
-    return text + "no band leads from one to the other through other hues, but a structure may: --mechanism stack";
+    return text + "no band leads from one to the other through other hues";
 }
 
 }  // namespace nacre

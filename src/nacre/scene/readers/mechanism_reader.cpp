@@ -61,13 +61,13 @@ const MechanismReader& reader_of(const Mechanism& mechanism) {
     return reader_at(mechanism.index());
 }
 
-std::string mechanisms_with_picks() {
+std::vector<std::string> mechanisms_with_picks() {
     std::vector<std::string> known;
     const std::vector<std::string> names = mechanism_names();
     for (std::size_t i = 0; i < names.size(); ++i) {
         if (takes_picks(reader_at(i))) known.push_back(names[i]);
     }
-    return comma_separated(known);
+    return known;
 }
 
 ReadMechanism read_mechanism(const Table& table, const SceneContext& context) {
@@ -85,7 +85,7 @@ ReadMechanism read_mechanism(const Table& table, const SceneContext& context) {
     }
     if (!takes_picks(reader) && has_picks(table)) {
         table.fail_at("picks",
-                      "picks have no meaning for mechanism " + name + "; allowed for " + mechanisms_with_picks());
+                      "picks have no meaning for mechanism " + name + "; allowed for " + comma_separated(mechanisms_with_picks()));
     }
     ReadMechanism read = reader.read(table, context);
     read.mechanism.effects = read_effects(table, read.mechanism, context);

@@ -29,8 +29,8 @@ struct ReadMechanism {
 /// be used only if the table is good. The caller looks for unknown keys.
 ReadMechanism read_mechanism(const Table& table, const SceneContext& context);
 
-/// The names of those that picks can lead to: "palette, film".
-std::string mechanisms_with_picks();
+/// The names of those that picks can lead to, the palette first.
+std::vector<std::string> mechanisms_with_picks();
 
 /// Every numeric parameter that a mechanism has, in the order in which they are offered.
 std::vector<Parameter> parameters_of(const Mechanism& mechanism);

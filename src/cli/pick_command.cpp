@@ -72,9 +72,8 @@ std::vector<Option> options_of(PickOptions& options) {
          .range = Allowed{1, most_counted}},
         {.names = "--mechanism",
          .target = &options.mechanism,
-         .help =
-             comma_separated(mechanisms_with_picks()) +
-             "; auto compares all of them; default: palette, beside which a film or a stack is named that does it too",
+         .help = comma_separated(mechanisms_with_picks()) +
+                 ", or auto, the best of these; default: palette, with a comment if a film or a stack does it too",
          .value_name = "NAME"},
         {.names = "--with",
          .target = &options.with,

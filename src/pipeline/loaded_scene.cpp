@@ -72,7 +72,7 @@ bool asks_for_png(const PlannedLut& lut) {
 Plan plan_table(const Table& table, const std::string& path, const SceneRequest& request) {
     Plan plan =
         plan_scene(table, scene_files_with_colours(path, request.config, request.open_colours, request.after_step),
-                   {request.only, request.all_materials, request.strict});
+                   {request.only, request.all_materials, request.strict, request.bands});
     if (request.on_warning) {
         for (const std::string& warning : plan.warnings) request.on_warning(warning);
     }
@@ -150,7 +150,9 @@ LoadedScene load_scene_text(const std::string& text, const std::string& name, co
     return with_colours(plan_text(text, name, request), name, request);
 }
 
-std::vector<LoadedScene> load_scenes(const std::vector<std::string>& paths, const SceneRequest& request) {
+std::vector<LoadedScene> load_scenes(const std::vector<std::string>& paths, const SceneRequest& asked) {
+    SceneRequest request = asked;
+    if (!request.bands) request.bands = std::make_shared<KnownBands>();
     std::vector<LoadedScene> scenes;
     OutputNames names;
     for (const std::string& path : paths) {

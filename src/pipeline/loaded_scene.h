@@ -24,6 +24,8 @@ struct SceneRequest {
     std::vector<SceneEdit> edits;   ///< made in every scene before it is planned
     bool all_materials = false;     ///< those too that no LUT and no swatch asks for
     bool strict = false;            ///< whether a picked colour that cannot be reached is an error
+    /// Shared by scenes that are planned one after the other; null: each makes its own, or load_scenes() does.
+    std::shared_ptr<KnownBands> bands{};
     /// Called every few steps of a search for what picks ask for; what it throws ends it. May be empty.
     std::function<void()> after_step{};
     /// Told what is allowed and hardly meant, as soon as the scene is planned. May be empty.

@@ -48,15 +48,12 @@ void check_version(const Table& scene) {
     scene.checked_integer("nacre", *value, {1, format_version});
 }
 
-// Finds bands. The tables for it take some milliseconds, so they wait for the first colour.
-BandReader band_reader(const std::shared_ptr<const Light>& light) {
-    auto bands = std::make_shared<std::optional<ExactBands>>();
-    const auto made = [bands, light]() -> const ExactBands& {
-        if (!*bands) bands->emplace(*light);
-        return **bands;
-    };
-    return {[made, light](const Xyz& colour) { return shown_colour(made(), *light, colour); },
-            [made, light](const std::vector<ColourOrBand>& picks) { return palette_bands(made(), *light, picks); }};
+// Finds bands. The tables for it wait for the first colour.
+BandReader band_reader(const std::shared_ptr<const Light>& light, const std::shared_ptr<KnownBands>& known) {
+    return {[known, light](const Xyz& colour) { return shown_colour(known->under(light), *light, colour); },
+            [known, light](const std::vector<ColourOrBand>& picks) {
+                return palette_bands(known->under(light), *light, picks);
+            }};
 }
 
 ColourReader colour_reader(const SceneFiles& files, const ColourSettings& settings) {
@@ -68,7 +65,7 @@ ColourReader colour_reader(const SceneFiles& files, const ColourSettings& settin
 }
 
 PickReaders pick_readers(const SceneFiles& files, const std::shared_ptr<const Light>& light,
-                         const ColourSettings& settings) {
+                         const ColourSettings& settings, const std::shared_ptr<KnownBands>& known) {
     // Under an unknown light a colour can be read, but no band be found for it.
     if (light == nullptr) {
         return {colour_reader(files, settings),
@@ -79,7 +76,7 @@ PickReaders pick_readers(const SceneFiles& files, const std::shared_ptr<const Li
                 [](const Lobe&) { return Xyz{}; },
                 [](const MeasuredSpectra&, double) { return Xyz{}; }};
     }
-    return {colour_reader(files, settings), band_reader(light),
+    return {colour_reader(files, settings), band_reader(light, known),
             [light](const Lobe& lobe) { return adapt(light->adaptation, lobe_to_xyz(*light, lobe)); },
             [light](const MeasuredSpectra& spectra, double angle_deg) {
                 return adapt(light->adaptation, MeasuredColour(spectra, *light).at(Incidence::from_degrees(angle_deg)));
@@ -97,7 +94,7 @@ std::vector<FoundMechanism> not_searched(const MechanismSearch& search) {
 
 // @param scene,files  have to outlive what is returned
 SceneContext material_context(const Table& scene, const SceneFiles& files, const std::shared_ptr<const Light>& light,
-                              const ColourSettings& colour) {
+                              const ColourSettings& colour, const std::shared_ptr<KnownBands>& known) {
     // A material is known over all of an unknown light.
     constexpr double some_nm = 550.0;
     const double first_nm = light == nullptr ? some_nm : light->settings.first_nm;
@@ -105,7 +102,7 @@ SceneContext material_context(const Table& scene, const SceneFiles& files, const
     SceneContext context{{files.find_material, first_nm, last_nm},
                          files.read_curve,
                          files.read_spectra,
-                         pick_readers(files, light, colour)};
+                         pick_readers(files, light, colour, known)};
     if (files.find_mechanisms) {
         context.find_mechanisms = [&scene, &files, light](const MechanismSearch& search) {
             return scene.is_good() ? files.find_mechanisms(search, *light) : not_searched(search);
@@ -148,7 +145,8 @@ Plan plan_scene(const Table& scene, const SceneFiles& files, const PlanRequest& 
     const std::shared_ptr<const Light> light = plan_light(scene, accuracy, files.read_curve);
     const ColourSettings colour = plan_colour(scene);
 
-    Materials materials(scene, material_context(scene, files, light, colour), light);
+    const auto bands = request.bands ? request.bands : std::make_shared<KnownBands>();
+    Materials materials(scene, material_context(scene, files, light, colour, bands), light);
     const SceneParts parts{scene, accuracy, colour, light, materials};
     PlannedLuts luts = plan_luts(parts, request);
     PlannedSwatches swatches = plan_swatches(parts, request, luts.names);

@@ -10,6 +10,7 @@
 #include "nacre/lut/colour_settings.h"
 #include "nacre/lut/planned_lut.h"
 #include "nacre/material/mechanism.h"
+#include "nacre/pick/band/known_bands.h"
 #include "nacre/pick/band/pale_path.h"
 #include "nacre/pick/fit_shape.h"
 #include "nacre/pick/mechanism_search.h"
@@ -61,6 +62,8 @@ struct PlanRequest {
     std::vector<std::string> only;
     bool all_materials = false;  ///< those too that no LUT and no swatch asks for
     bool strict = false;         ///< whether a picked colour that no band, film, ... has is an error
+    /// Shared by plans that are made one after the other; null: the plan makes its own.
+    std::shared_ptr<KnownBands> bands{};
 
     bool wants(const std::string& name) const;
 };

@@ -58,11 +58,14 @@ std::string lut_line(const BakeTask& task, const BakedLut& baked) {
 
 std::string bake_line(const BakeTask& task, const BakeOutcome& outcome) {
     std::string line;
-    if (task.lut != nullptr) {
+    if (task.is_lut()) {
         line = lut_line(task, outcome.baked);
+        if (outcome.png_clamped.value_or(0) > 0) {
+            line += "  " + share_text(*outcome.png_clamped, task.decided->lut.lut.job) + " clamped in " + task.name() +
+                    ".png";
+        }
     } else {
-        line = task.name() + ".png  " + std::string(name_of(swatch_words, task.swatch->kind)) + "  " +
-               task.scene->displays[task.swatch_index]->name();
+        line = task.picture() + "  " + std::string(name_of(swatch_words, task.draws())) + "  " + task.display->name();
     }
     return line + (outcome.unchanged ? "  (unchanged)" : "");
 }
@@ -81,15 +84,17 @@ std::string gamut_warning(const BakeTask& task, const BakedLut& baked) {
 }
 
 Json bake_json(const BakeTask& task, const BakeOutcome& outcome) {
-    if (task.lut == nullptr) {
-        const ColourSpace& display = *task.scene->displays[task.swatch_index];
-        return {{"file", task.name() + ".png"},
-                {"draw", name_of(swatch_words, task.swatch->kind)},
-                {"display", display.display()},
-                {"view", display.view()},
-                {"unchanged", outcome.unchanged}};
+    if (!task.is_lut()) {
+        Json json{{"file", task.picture()},
+                  {"draw", name_of(swatch_words, task.draws())},
+                  {"display", task.display->display()},
+                  {"view", task.display->view()},
+                  {"unchanged", outcome.unchanged}};
+        if (task.kind == TaskKind::preview) json["lut"] = task.lut->name;
+        return json;
     }
     Json json = outcome.manifest;
+    if (outcome.png_clamped) json["png_clamped"] = *outcome.png_clamped;
     json["unchanged"] = outcome.unchanged;
     json["seconds"] = {{"deciding", task.decided->seconds}, {"baking", outcome.seconds}};
     json["work"] = {{"deciding", work_json(task.decided->lut.work)}, {"baking", work_json(outcome.baked.work)}};

@@ -14,7 +14,8 @@ std::string bake_line(const BakeTask& task, const BakeOutcome& outcome);
 /// than the LUT may err, or by nobody knows how much; else empty.
 std::string gamut_warning(const BakeTask& task, const BakedLut& baked);
 
-/// The same for --json: a LUT's manifest with `unchanged`, `seconds` and `work`; a swatch's file, display and view.
+/// The same for --json: a LUT's manifest with `unchanged`, `seconds` and `work`; of a picture its file, display and
+/// view.
 Json bake_json(const BakeTask& task, const BakeOutcome& outcome);
 
 }  // namespace nacre

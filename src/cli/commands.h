@@ -13,6 +13,7 @@ enum ExitCode : int {
     exit_not_verified = 4,  ///< accuracy or verification not met
 };
 
+Command init_command();
 Command bake_command();
 Command swatch_command();
 Command plan_command();

@@ -39,9 +39,9 @@ int main(int argc, char** argv) {
     nacre::watch_stop_signals();
     try {
         const std::vector<nacre::Command> commands{
-            nacre::bake_command(),     nacre::swatch_command(), nacre::plan_command(),   nacre::cost_command(),
-            nacre::spectrum_command(), nacre::pick_command(),   nacre::verify_command(), nacre::list_command(),
-            nacre::snippet_command(),  nacre::figures_command()};
+            nacre::init_command(), nacre::bake_command(),     nacre::swatch_command(), nacre::plan_command(),
+            nacre::cost_command(), nacre::spectrum_command(), nacre::pick_command(),   nacre::verify_command(),
+            nacre::list_command(), nacre::snippet_command(),  nacre::figures_command()};
         const nacre::Asked asked = nacre::parse_command_line(argc, argv, commands);
         if (asked.command == nullptr) return nacre::exit_done;
         nacre::Console console(asked.console);

@@ -110,7 +110,8 @@ std::string help_text(const Option& option) {
 
 void declare(CLI::App& app, const Option& option, Given& given) {
     if (auto* const* flag = std::get_if<bool*>(&option.target)) {
-        app.add_flag(option.names, **flag, option.help);
+        CLI::Option* const declared = app.add_flag(option.names, **flag, option.help);
+        for (const std::string& other : option.excludes) declared->excludes(other);
         return;
     }
     CLI::Option* const declared = app.add_option(option.names, given.words, help_text(option));

@@ -8,6 +8,7 @@
 #include "cli/execution.h"
 #include "cli/plan_notes.h"
 #include "cli/plan_report.h"
+#include "cli/previews.h"
 #include "cli/scenes.h"
 #include "cli/stop_signal.h"
 #include "io/image/lut_file.h"
@@ -66,6 +67,7 @@ int run_plan(const PlanOptions& options, Console& console) {
     request.strict = options.strict;
     std::vector<LoadedScene> scenes = open_scenes(options.scenes, request, console);
     override_accuracy(scenes, accuracy_override(options.accuracy, options.effects));
+    choose_previews(scenes, {}, PreviewRule::if_few, false);
     std::vector<DecidedLut> luts = undecided_luts(scenes);
     const Execution execution = execution_on(options.threads, console);
     decide_all(luts, execution);

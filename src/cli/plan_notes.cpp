@@ -109,6 +109,9 @@ void note_scene(const LoadedScene& scene, Console& console) {
     note_pale_paths(scene, console);
     note_clamps(scene, console);
     note_edges(scene, console);
+    for (const PlannedLut& lut : scene.plan.luts) {
+        if (lut.preview != Preview::none) console.summary(preview_file(lut) + ": preview");
+    }
     for (const PlannedSwatch& swatch : scene.plan.swatches)
         console.summary(swatch.name + ".png: " + std::string(name_of(swatch_words, swatch.kind)));
 }

@@ -146,6 +146,7 @@ Json plan_json(const PlanRow& row) {
     json["seconds"] = {{"deciding", task.seconds}, {"baking", row.seconds}};
     json["work"] = {{"deciding", work_json(chosen.work)}, {"baking", work_json(bake_work(job, chosen.worst.size()))}};
     json["files"] = output_files(lut);
+    if (lut.preview != Preview::none) json["files"].push_back(preview_file(lut));
     json["effects"] = effects_json(row.effects);
     return json;
 }

@@ -3,12 +3,15 @@
 #include <algorithm>
 #include <atomic>
 #include <string_view>
+#include <utility>
 
 #include "io/image/lut_file.h"
 #include "nacre/base/error.h"
 #include "nacre/base/text.h"
 #include "nacre/lut/formats.h"
 #include "nacre/lut/job.h"
+#include "nacre/scene/output_names.h"
+#include "pipeline/lut_png.h"
 #include "pipeline/manifest.h"
 #include "pipeline/swatch_file.h"
 #include "pipeline/thread_clock.h"
@@ -29,35 +32,21 @@ void put(const BakeTarget& target, const std::string& name, std::string_view byt
     target.folder.write(name, bytes);
 }
 
-std::string strip_bytes(const BakeTask& task, const BakeTarget& target) {
-    PlannedSwatch strip;
-    strip.title = task.decided->lut.lut.name;
-    strip.jobs = {task.decided->lut.lut.job};
-    return swatch_bytes(strip, task.decided->space(), *task.scene->strip_display, target.font);
-}
-
-// The files of a LUT, in the order in which the scene asks for them.
-void put_files(const BakeTask& task, const std::string& exr, const std::string& manifest, const BakeTarget& target,
-               bool& unchanged) {
-    const PlannedLut& lut = task.decided->lut.lut;
-    for (const LutOutput output : lut.outputs) {
-        const std::string file = lut.name + "." + std::string(name_of(output_words, output));
-        switch (output) {
-            case LutOutput::exr:
-                put(target, file, exr, unchanged);
-                break;
-            case LutOutput::json:
-                put(target, file, manifest, unchanged);
-                break;
-            case LutOutput::png:
-                put(target, file, strip_bytes(task, target), unchanged);
-                break;
+// A file of a LUT, by the ending of its name.
+std::string lut_file(const BakeTask& task, LutOutput output, BakeOutcome& outcome) {
+    const ChosenLut& decided = task.decided->lut;
+    switch (output) {
+        case LutOutput::exr:
+            return encode_lut(outcome.baked.image, decided.lut.format, outcome.baked.header);
+        case LutOutput::json:
+            return outcome.manifest.text() + "\n";
+        case LutOutput::png: {
+            LutPng png = lut_png(outcome.baked.image, task.decided->space(), *task.scene->default_display);
+            outcome.png_clamped = png.clamped;
+            return std::move(png.bytes);
         }
     }
-}
-
-bool writes(const PlannedLut& lut, LutOutput output) {
-    return std::find(lut.outputs.begin(), lut.outputs.end(), output) != lut.outputs.end();
+    return {};
 }
 
 // What the measured error says about the bound, in the outcome's words.
@@ -85,44 +74,68 @@ BakeOutcome bake_one_lut(const BakeTask& task, const BakeTarget& target, const E
     BakeOutcome outcome;
     outcome.baked = bake_lut(decided, scene.plan, scene.source, task.decided->space(), execution.step);
     outcome.manifest = manifest_json(decided, outcome.baked);
-    const std::string manifest = outcome.manifest.text() + "\n";
-    const std::string exr = writes(decided.lut, LutOutput::exr)
-                                ? encode_lut(outcome.baked.image, decided.lut.format, outcome.baked.header)
-                                : std::string();
+    std::vector<std::string> files;
+    for (const LutOutput output : decided.lut.outputs) files.push_back(lut_file(task, output, outcome));
     outcome.seconds = thread_seconds() - begin;
     outcome.baked.image = {};
     outcome.baked.header = {};
     judge_bound(task, target, outcome);
     if (!outcome.failure.empty()) return outcome;
     outcome.unchanged = true;
-    put_files(task, exr, manifest, target, outcome.unchanged);
+    for (std::size_t i = 0; i < files.size(); ++i)
+        put(target, decided.lut.name + "." + std::string(name_of(output_words, decided.lut.outputs[i])), files[i],
+            outcome.unchanged);
     return outcome;
 }
 
-BakeOutcome bake_one_swatch(const BakeTask& task, const BakeTarget& target) {
+PlannedSwatch preview_of(const PlannedLut& lut) {
+    PlannedSwatch preview;
+    preview.kind = SwatchKind::preview;
+    preview.title = lut.name;
+    preview.jobs = {lut.job};
+    preview.colour = lut.colour;
+    return preview;
+}
+
+std::string picture_bytes(const BakeTask& task, const BakeTarget& target) {
+    const PlannedSwatch picture = task.swatch != nullptr ? *task.swatch : preview_of(*task.lut);
+    return swatch_bytes(picture, task.scene->space_of(picture.colour), *task.display, target.font);
+}
+
+// Whatever keeps a picture from being drawn, LUTs are baked.
+BakeOutcome draw_picture(const BakeTask& task, const BakeTarget& target) {
     BakeOutcome outcome;
+    std::string bytes;
+    try {
+        bytes = picture_bytes(task, target);
+    } catch (const Error& error) {
+        const std::string failure = task.where().text() + " " + task.picture() + ": " + error.what();
+        outcome.is_left_out = task.is_automatic();
+        outcome.is_refused = dynamic_cast<const IoError*>(&error) != nullptr;
+        (outcome.is_left_out ? outcome.warning : outcome.failure) = failure;
+        return outcome;
+    }
     outcome.unchanged = true;
-    put(target, task.swatch->name + ".png",
-        swatch_bytes(*task.swatch, task.scene->space_of(task.swatch->colour), *task.scene->displays[task.swatch_index],
-                     target.font),
-        outcome.unchanged);
+    put(target, task.picture(), bytes, outcome.unchanged);
     return outcome;
 }
 
 }  // namespace
 
-bool BakeTask::draws_picture() const {
-    return swatch != nullptr || writes(*lut, LutOutput::png);
+std::string BakeTask::picture() const {
+    return kind == TaskKind::preview ? preview_file(*lut) : output_files(*swatch).front();
 }
 
 std::vector<BakeTask> bake_tasks(const std::vector<LoadedScene>& scenes, bool with_luts) {
     std::vector<BakeTask> tasks;
     for (const LoadedScene& scene : scenes) {
-        if (with_luts) {
-            for (const PlannedLut& lut : scene.plan.luts) tasks.push_back({&scene, &lut, nullptr, 0, nullptr});
+        for (const PlannedLut& lut : scene.plan.luts) {
+            if (with_luts) tasks.push_back({TaskKind::lut, &scene, &lut});
+            if (lut.preview == Preview::none) continue;
+            tasks.push_back({TaskKind::preview, &scene, &lut, nullptr, scene.default_display.get()});
         }
         for (std::size_t i = 0; i < scene.plan.swatches.size(); ++i)
-            tasks.push_back({&scene, nullptr, &scene.plan.swatches[i], i, nullptr});
+            tasks.push_back({TaskKind::swatch, &scene, nullptr, &scene.plan.swatches[i], scene.displays[i].get()});
     }
     return tasks;
 }
@@ -134,7 +147,7 @@ BakeOutcome run_bake_task(const BakeTask& task, const BakeTarget& target, const 
         return outcome;
     }
     try {
-        return task.lut != nullptr ? bake_one_lut(task, target, execution) : bake_one_swatch(task, target);
+        return task.is_lut() ? bake_one_lut(task, target, execution) : draw_picture(task, target);
     } catch (const IoError&) {
         throw;  // the disk's refusal ends the batch; a LUT's own failure does not
     } catch (const Error& error) {

@@ -65,8 +65,18 @@ void open_spaces(Plan& plan, LoadedScene& scene) {
     for (PlannedSwatch& swatch : plan.swatches) open(swatch.colour);
 }
 
-bool asks_for_png(const PlannedLut& lut) {
-    return std::find(lut.outputs.begin(), lut.outputs.end(), LutOutput::png) != lut.outputs.end();
+// The texels of a LUT become a picture by way of XYZ.
+void open_display_of_pngs(const Plan& plan, LoadedScene& scene) {
+    for (const PlannedLut& lut : plan.luts) {
+        if (std::find(lut.outputs.begin(), lut.outputs.end(), LutOutput::png) == lut.outputs.end()) continue;
+        const std::string where = lut.where.text() + " [lut." + lut.name + "]";
+        open_default_display(scene, where);
+        const ColourSpace& space = scene.space_of(lut.colour);
+        if (!space.has_inverse()) {
+            throw Error(where + ": outputs has \"png\", and space " + space.name() +
+                        " has no inverse to XYZ, so its texels cannot be shown; remove \"png\"");
+        }
+    }
 }
 
 Plan plan_table(const Table& table, const std::string& path, const SceneRequest& request) {
@@ -91,10 +101,7 @@ LoadedScene with_colours(Plan plan, const std::string& path, const SceneRequest&
                 swatch.display, swatch.view, swatch.where.text() + " [swatch." + swatch.name + "]"));
         }
     }
-    const auto strip = std::find_if(plan.luts.begin(), plan.luts.end(), asks_for_png);
-    if (strip != plan.luts.end()) {
-        scene.strip_display = scene.colours->display_view("", "", strip->where.text() + " [lut." + strip->name + "]");
-    }
+    open_display_of_pngs(plan, scene);
     scene.plan = std::move(plan);
     return scene;
 }
@@ -137,6 +144,10 @@ std::vector<LoadedScene> load_file(const std::string& path, const SceneRequest& 
 }
 
 }  // namespace
+
+void open_default_display(LoadedScene& scene, const std::string& where) {
+    if (scene.default_display == nullptr) scene.default_display = scene.colours->display_view("", "", where);
+}
 
 Plan plan_file(const std::string& path, const SceneRequest& request) {
     return plan_table(edited(read_scene_file(path), request), path, request);

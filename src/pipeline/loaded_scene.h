@@ -41,11 +41,16 @@ struct LoadedScene {
     std::shared_ptr<const ColourSpaces> colours;                       ///< the scene's config
     std::map<std::string, std::shared_ptr<const ColourSpace>> spaces;  ///< of the scene and of its LUTs, by name
     std::vector<std::shared_ptr<const ColourSpace>> displays;  ///< as many as the plan has swatches, if they are wanted
-    std::shared_ptr<const ColourSpace> strip_display;          ///< the default one, if a LUT asks for a png; else null
+    std::shared_ptr<const ColourSpace> default_display;  ///< if a LUT asks for a png; else null until it is opened
 
     /// @pre the colour is that of the plan, of one of its LUTs or of one of its swatches
     const ColourSpace& space_of(const LutColour& colour) const { return *spaces.at(colour.space); }
 };
+
+/// Opens the scene's default display and view, unless that was done.
+/// @param where  who needs them, for messages
+/// @throws Error if its config has none
+void open_default_display(LoadedScene& scene, const std::string& where);
 
 /// Reads and plans a scene file, without its colour space and its variants.
 Plan plan_file(const std::string& path, const SceneRequest& request);

@@ -109,7 +109,7 @@ scene > plain.toml
 # counts SCENE: instructions of main, choose_lut and bake.
 counts() {
     valgrind --tool=callgrind --toggle-collect=main --callgrind-out-file="$1.callgrind" "$nacre" bake "$1.toml" \
-        -o "$1" --only line --only plane --threads 1 --quiet > "$1.log" 2>&1 || { cat "$1.log" >&2; exit 3; }
+        -o "$1" --only line --only plane --no-preview --threads 1 --quiet > "$1.log" 2>&1 || { cat "$1.log" >&2; exit 3; }
     callgrind_annotate --inclusive=yes --threshold=100 "$1.callgrind" | awk '
         { count = $1; gsub(",", "", count) }
         function most(part) { if (count + 0 > total[part] + 0) total[part] = count }

@@ -49,7 +49,7 @@ one > one.toml
 # counts SCENE: instructions of main, of reading the scene's text, of planning, of choosing LUTs.
 counts() {
     valgrind --tool=callgrind --toggle-collect=main --callgrind-out-file="$1.callgrind" "$nacre" bake "$1.toml" \
-        -o "$1" --only wanted --threads 1 --quiet > "$1.log" 2>&1 || { cat "$1.log" >&2; exit 3; }
+        -o "$1" --only wanted --no-preview --threads 1 --quiet > "$1.log" 2>&1 || { cat "$1.log" >&2; exit 3; }
     callgrind_annotate --inclusive=yes --threshold=100 "$1.callgrind" | awk '
         { count = $1; gsub(",", "", count) }
         function most(part) { if (count + 0 > total[part] + 0) total[part] = count }
@@ -88,7 +88,7 @@ best() {
     local least=999999999 took
     TIMEFORMAT='%U %S'
     for _ in 1 2 3 4 5; do
-        took=$({ time "$nacre" bake "$1.toml" -o "$1" --only wanted --threads 1 --force --quiet; } 2>&1 |
+        took=$({ time "$nacre" bake "$1.toml" -o "$1" --only wanted --no-preview --threads 1 --force --quiet; } 2>&1 |
             awk '{ printf "%.0f", 1000 * ($1 + $2) }')
         if ((took < least)); then least=$took; fi
     done

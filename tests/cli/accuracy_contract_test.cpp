@@ -266,7 +266,8 @@ void bake_and_judge(const TemporaryFolder& folder, const std::vector<std::string
                     const std::vector<ModelScene>& scenes, double budget) {
     std::vector<std::string> arguments{"bake"};
     arguments.insert(arguments.end(), files.begin(), files.end());
-    arguments.insert(arguments.end(), {"-o", "out", "--accuracy", text_of(budget), "--best-effort", "--quiet"});
+    arguments.insert(arguments.end(),
+                     {"-o", "out", "--accuracy", text_of(budget), "--best-effort", "--no-preview", "--quiet"});
     for (const ModelScene& scene : scenes) arguments.insert(arguments.end(), {"--only", scene.name});
     const auto start = std::chrono::steady_clock::now();
     const ProgramResult result = run_nacre(arguments, {folder.path(), {}, {}, {}});
@@ -292,7 +293,7 @@ TEST(ReferencePaletteInFiles, TexelsOfAFixedSizeAreWhatItSays) {
         const FixedLut fixed{32, scene.y ? 8 : 1, StoredAs::single_float};
         arguments.push_back(folder.file(scene.name + ".toml", reference::scene_text(scene, fixed)));
     }
-    arguments.insert(arguments.end(), {"-o", "out"});
+    arguments.insert(arguments.end(), {"-o", "out", "--no-preview"});
     const ProgramResult result = run_nacre(arguments, {folder.path(), {}, {}, {}});
     ASSERT_EQ(result.exit_code, 0) << result.err;
     for (const ModelScene& scene : scenes) {
@@ -316,7 +317,7 @@ TEST(ReferencePaletteInFiles, LinearFilterErrsWithTheSquareOfTheStep) {
     for (const int width : {256, 512}) {
         folder.file("s.toml",
                     reference::scene_text(reference::paper_morpho(), FixedLut{width, 1, StoredAs::single_float}));
-        ASSERT_EQ(run_nacre({"bake", "s.toml", "-o", "out"}, {folder.path(), {}, {}, {}}).exit_code, 0);
+        ASSERT_EQ(run_nacre({"bake", "s.toml", "-o", "out", "--no-preview"}, {folder.path(), {}, {}, {}}).exit_code, 0);
         const auto lut = read_exr(folder.path() / "out/morpho.exr");
         ASSERT_TRUE(lut);
         errors.push_back(reference::dense_error(lut->pixels, colours_of(model), {}));

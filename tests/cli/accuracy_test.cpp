@@ -24,7 +24,7 @@ ProgramResult run(const TemporaryFolder& folder, const std::vector<std::string>&
 
 ProgramResult bake(const TemporaryFolder& folder, const std::string& scene, std::vector<std::string> more) {
     folder.file("s.toml", scene);
-    std::vector<std::string> arguments{"bake", "s.toml", "-o", "out"};
+    std::vector<std::string> arguments{"bake", "s.toml", "-o", "out", "--no-preview"};
     arguments.insert(arguments.end(), more.begin(), more.end());
     return run(folder, arguments);
 }

@@ -84,7 +84,7 @@ TEST(BadCommandLine, ConfigOfTheEnvironmentThatIsMissingIsAnErrorAndAnEmptyOneIs
     folder.file("s.toml", scene(""));
     EXPECT_NE(error_of({"bake", "s.toml", "-o", "out"}, folder, 2, {{"OCIO", "/no/such.ocio"}}).find("$OCIO"),
               std::string::npos);
-    error_of({"bake", "s.toml", "-o", "out"}, folder, 0, {{"OCIO", ""}});
+    error_of({"bake", "s.toml", "-o", "out", "--no-preview"}, folder, 0, {{"OCIO", ""}});
 }
 
 TEST(BadCommandLine, CsvThatDoesNotCoverTheRangeSaysWhatItCovers) {
@@ -122,7 +122,7 @@ TEST(BadCommandLine, UnknownNameOfOnlyIsAnError) {
     error_of({"bake"}, folder, 2);
     error_of({"bake", "s.toml", "--fast"}, folder, 2);
     EXPECT_EQ(error_of({"frobnicate"}, folder, 2),
-              "nacre: unknown command \"frobnicate\"; known: bake, swatch, plan, cost, spectrum, pick, verify, "
+              "nacre: unknown command \"frobnicate\"; known: init, bake, swatch, plan, cost, spectrum, pick, verify, "
               "list, snippet, figures\n");
     error_of({"snippet", "wgsl"}, folder, 2);
 }
@@ -145,7 +145,7 @@ TEST(BadCommandLine, QuotesTheValueAndNamesTheHelpOfItsCommand) {
     EXPECT_EQ(error({"bake"}), "nacre: SCENE is required; see nacre bake --help\n");
     EXPECT_EQ(error({"snippet", "glsl", "hlsl"}), "nacre: unexpected argument \"hlsl\"; see nacre snippet --help\n");
     EXPECT_EQ(error({"--frob"}), "nacre: unknown option \"--frob\"; see nacre --help\n");
-    EXPECT_NE(error({}).find("nacre: a command is missing; known: bake, "), std::string::npos);
+    EXPECT_NE(error({}).find("nacre: a command is missing; known: init, bake, "), std::string::npos);
 }
 
 TEST(Only, TakesSeveralNamesWithBlanksOrCommasAndLeavesTheScenesAlone) {
@@ -158,7 +158,7 @@ TEST(Only, TakesSeveralNamesWithBlanksOrCommasAndLeavesTheScenesAlone) {
                                                  {"s.toml", "--only=a,b"},
                                                  {"--only", "a", "--only", "b", "s.toml"},
                                                  {"--only", "a", "b", "--threads", "1", "s.toml"}}) {
-        std::vector<std::string> arguments{"bake", "--dry-run"};
+        std::vector<std::string> arguments{"bake", "--dry-run", "--no-preview"};
         arguments.insert(arguments.end(), only.begin(), only.end());
         const ProgramResult result = run_nacre(arguments, {folder.path(), {}, {}, {}});
         EXPECT_EQ(result.exit_code, 0) << result.err;

@@ -9,8 +9,10 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <thread>
 
+#include "io/image/font.h"
 #include "support/program.h"
 
 namespace nacre::test {
@@ -40,7 +42,7 @@ TEST(Faults, FullDiskLeavesTheOldFileAndNoOther) {
         ::setenv("NACRE", NACRE_PROGRAM, 1);
         ::execl("/bin/sh", "sh", "-c",
                 "printf old > small/morpho.exr; head -c 3000 /dev/zero > small/filler; \"$NACRE\" bake s.toml --only "
-                "morpho -o small; "
+                "morpho --no-preview -o small; "
                 "echo exit $? left $(ls -A small) $(cat small/morpho.exr)",
                 nullptr);
     };
@@ -58,7 +60,8 @@ TEST(Faults, WriterThatFailsHalfWayLeavesTheOldFileAndNoOther) {
         const rlimit limit{1000, 1000};
         ::setrlimit(RLIMIT_FSIZE, &limit);
     };
-    const ProgramResult result = run_nacre({"bake", "s.toml", "-o", "out"}, {folder.path(), {}, small_files, {}});
+    const ProgramResult result =
+        run_nacre({"bake", "s.toml", "-o", "out", "--no-preview"}, {folder.path(), {}, small_files, {}});
     expect_one_line(result, 3);
     EXPECT_EQ(result.err, "nacre: out/morpho.exr: cannot be written: File too large\n");
     EXPECT_EQ(file_bytes(folder.path() / "out/morpho.exr"), "the old one");
@@ -77,7 +80,8 @@ TEST(Faults, ReadOnlyFolderIsRefused) {
         ::chmod(folder.path().c_str(), 0755);
         if (::geteuid() == 0 && (::setgid(65534) != 0 || ::setuid(65534) != 0)) ::_exit(99);
     };
-    const ProgramResult result = run_nacre({"bake", "s.toml", "-o", "out"}, {folder.path(), {}, as_nobody, {}});
+    const ProgramResult result =
+        run_nacre({"bake", "s.toml", "-o", "out", "--no-preview"}, {folder.path(), {}, as_nobody, {}});
     if (result.exit_code == 99 || result.exit_code == 127)
         GTEST_SKIP() << "the program cannot be run as somebody else here";
     expect_one_line(result, 3);
@@ -96,7 +100,8 @@ TEST(Faults, FolderInTheTargetsPlaceIsRefused) {
     const TemporaryFolder folder;
     folder.file("s.toml", scene);
     folder.file("out/morpho.exr/inside", "");
-    const ProgramResult result = run_nacre({"bake", "s.toml", "-o", "out"}, {folder.path(), {}, {}, {}});
+    const ProgramResult result =
+        run_nacre({"bake", "s.toml", "-o", "out", "--no-preview"}, {folder.path(), {}, {}, {}});
     expect_one_line(result, 3);
     EXPECT_EQ(result.err, "nacre: out/morpho.exr: cannot be put into place: Is a directory\n");
 }
@@ -126,7 +131,8 @@ TEST(Faults, TerminationLeavesWholeFilesOnly) {
             ::_exit(0);
         }
     };
-    const ProgramResult result = run_nacre({"bake", "s.toml", "-o", "out"}, {folder.path(), {}, stop_soon, {}});
+    const ProgramResult result =
+        run_nacre({"bake", "s.toml", "-o", "out", "--no-preview"}, {folder.path(), {}, stop_soon, {}});
     EXPECT_EQ(result.exit_code, 143) << result.err;
     for (const auto& entry : std::filesystem::directory_iterator(folder.path() / "out")) {
         EXPECT_NE(entry.path().filename().string().front(), '.') << "a temporary file stayed behind";
@@ -134,14 +140,74 @@ TEST(Faults, TerminationLeavesWholeFilesOnly) {
     }
 }
 
+// A machine without fonts: in the child nothing lies in the folders of the system in which they are looked for.
+void hide_system_fonts() {
+    if (::unshare(::geteuid() == 0 ? CLONE_NEWNS : CLONE_NEWUSER | CLONE_NEWNS) != 0) ::_exit(99);
+    ::mount(nullptr, "/", nullptr, MS_REC | MS_PRIVATE, nullptr);
+    for (const auto& folder : usual_font_folders()) {
+        if (folder.string().starts_with(std::getenv("HOME"))) continue;
+        if (std::filesystem::exists(folder) && ::mount("none", folder.c_str(), "tmpfs", 0, "size=4k") != 0) ::_exit(99);
+    }
+}
+
+TEST(Faults, AMissingFontStopsPicturesOnly) {
+    const TemporaryFolder folder;
+    folder.file("s.toml", std::string("[colour]\ngamut = \"clip\"\n") + scene +
+                              "[lut.morpho]\nsize = 16\noutputs = [\"exr\", \"png\"]\n[swatch.ball]\ndraw = "
+                              "\"sphere\"\n[swatch.strip]\ndraw = \"strip\"\n");
+    const std::string message =
+        "pictures need a font, and nacre found none; install the Debian package fonts-dejavu-core (DejaVuSans.ttf), or "
+        "Liberation Sans or Noto Sans\n";
+    const auto run = [&](const std::vector<std::string>& arguments) {
+        std::filesystem::remove_all(folder.path() / "out");
+        return run_nacre(arguments, {folder.path(), {{"HOME", folder.path().string()}}, hide_system_fonts, {}});
+    };
+    const auto exists = [&](const char* file) { return std::filesystem::exists(folder.path() / "out" / file); };
+    const ProgramResult previews = run({"bake", "s.toml", "-o", "out", "--only", "morpho"});
+    if (previews.exit_code == 99) GTEST_SKIP() << "this machine lets nobody mount";
+    EXPECT_EQ(previews.exit_code, 0);
+    EXPECT_EQ(previews.err, "nacre: warning: " + message);
+    EXPECT_TRUE(exists("morpho.exr"));
+    EXPECT_TRUE(exists("morpho.png")) << "it has no letters";
+    EXPECT_FALSE(exists("morpho.preview.png"));
+    for (const std::vector<std::string>& arguments :
+         {std::vector<std::string>{"bake", "s.toml", "-o", "out"},
+          {"bake", "s.toml", "-o", "out", "--only", "morpho", "--preview"}}) {
+        const ProgramResult result = run(arguments);
+        expect_one_line(result, 3);
+        EXPECT_EQ(result.err, "nacre: " + message);
+        EXPECT_TRUE(exists("morpho.exr"));
+        EXPECT_FALSE(exists("ball.png"));
+    }
+    const ProgramResult drawn = run({"swatch", "s.toml", "-o", "out"});
+    expect_one_line(drawn, 3);
+    EXPECT_EQ(drawn.err, "nacre: " + message);
+}
+
+TEST(Faults, AFileThatIsNoFontStopsPicturesOnly) {
+    const TemporaryFolder folder;
+    folder.file("s.toml", std::string("[colour]\ngamut = \"clip\"\n") + scene + "[lut.morpho]\nsize = 16\n");
+    const std::string font = folder.file(".fonts/DejaVuSans.ttf", "no font");
+    const ProgramOptions options{folder.path(), {{"HOME", folder.path().string()}}, hide_system_fonts, {}};
+    const ProgramResult result = run_nacre({"bake", "s.toml", "-o", "out"}, options);
+    if (result.exit_code == 99) GTEST_SKIP() << "this machine lets nobody mount";
+    EXPECT_EQ(result.exit_code, 0);
+    EXPECT_EQ(result.err, "nacre: warning: s.toml:6:6 morpho.preview.png: " + font +
+                              ": is not a font that OpenImageIO can draw with; install the Debian package "
+                              "fonts-dejavu-core (DejaVuSans.ttf)\n");
+    EXPECT_TRUE(std::filesystem::exists(folder.path() / "out/morpho.exr"));
+    EXPECT_EQ(run_nacre({"swatch", "s.toml", "-o", "out"}, options).exit_code, 3);
+}
+
 TEST(Faults, TwoProcessesThatBakeOneLutBothSucceed) {
     const TemporaryFolder folder;
     folder.file("s.toml", scene);
     ProgramResult first;
     std::thread other([&] {
-        first = run_nacre({"bake", "s.toml", "-o", "out", "--force"}, {folder.path(), {}, {}, {}});
+        first = run_nacre({"bake", "s.toml", "-o", "out", "--no-preview", "--force"}, {folder.path(), {}, {}, {}});
     });
-    const ProgramResult second = run_nacre({"bake", "s.toml", "-o", "out", "--force"}, {folder.path(), {}, {}, {}});
+    const ProgramResult second =
+        run_nacre({"bake", "s.toml", "-o", "out", "--no-preview", "--force"}, {folder.path(), {}, {}, {}});
     other.join();
     EXPECT_EQ(first.exit_code, 0) << first.err;
     EXPECT_EQ(second.exit_code, 0) << second.err;

@@ -222,7 +222,8 @@ TEST(LayeredAccuracyContract, NoFetchIsFartherFromTheModelThanWasAsked) {
     for (const auto& [bound, of_bound] : files) {
         std::ostringstream text;
         text << bound;
-        std::vector<std::string> arguments{"bake", "-o", "out", "--accuracy", text.str(), "--best-effort", "--quiet"};
+        std::vector<std::string> arguments{"bake",          "-o",           "out",    "--accuracy", text.str(),
+                                           "--best-effort", "--no-preview", "--quiet"};
         arguments.insert(arguments.end(), of_bound.begin(), of_bound.end());
         const ProgramResult result = run_nacre(arguments, {folder.path(), {}, {}, {}});
         ASSERT_TRUE(result.exit_code == 0 || result.exit_code == 4) << result.exit_code << ": " << result.err;

@@ -39,11 +39,13 @@ TEST(LayeredHeader, OfABakedFileBakesTheSameFileAgain) {
         const TemporaryFolder folder;
         folder.file("wide.csv", wide_csv);
         folder.file("s.toml", body + "[lut.f]\nsize = 8\nformat = \"float\"\n");
-        const ProgramResult first = run_nacre({"bake", "s.toml", "-o", "out"}, {folder.path(), {}, {}, {}});
+        const ProgramResult first =
+            run_nacre({"bake", "s.toml", "-o", "out", "--no-preview"}, {folder.path(), {}, {}, {}});
         ASSERT_EQ(first.exit_code, 0) << first.err << body;
         const TemporaryFolder elsewhere;
         elsewhere.file("s.toml", json_of(folder.path() / "out/f.json").at("scene").get<std::string>());
-        const ProgramResult second = run_nacre({"bake", "s.toml", "-o", "out"}, {elsewhere.path(), {}, {}, {}});
+        const ProgramResult second =
+            run_nacre({"bake", "s.toml", "-o", "out", "--no-preview"}, {elsewhere.path(), {}, {}, {}});
         EXPECT_EQ(second.exit_code, 0) << second.err << body;
         if (second.exit_code != 0) continue;
         nlohmann::json one = json_of(folder.path() / "out/f.json");

@@ -100,7 +100,7 @@ TEST_P(PickedMechanism, IsASceneThatBakesAndKeepsItsWord) {
         const double de00 = reached[i].at("de00");
         EXPECT_NEAR(promised[i], de00, 0.05 * std::max(de00, promised[i]) + 1e-3);
     }
-    const ProgramResult baked = run_nacre({"bake", "s.toml", "-o", "out"}, here);
+    const ProgramResult baked = run_nacre({"bake", "s.toml", "-o", "out", "--no-preview"}, here);
     EXPECT_EQ(baked.exit_code, 0) << baked.err;
     for (const char* file : {"picked.exr", "picked_picks.png", "picked_strip.png", "picked_sphere.png"})
         EXPECT_TRUE(std::filesystem::exists(folder.path() / "out" / file)) << file;
@@ -197,7 +197,8 @@ TEST(PickOptions, MeasuredFitsAPaletteOfSoManyPicks) {
             ++count;
         EXPECT_EQ(count, static_cast<std::size_t>(picks)) << result.out;
         folder.file("s.toml", result.out);
-        const ProgramResult baked = run_nacre({"bake", "s.toml", "-o", "out" + std::to_string(picks)}, here);
+        const ProgramResult baked =
+            run_nacre({"bake", "s.toml", "--no-preview", "-o", "out" + std::to_string(picks)}, here);
         EXPECT_EQ(baked.exit_code, 0) << baked.err;
     }
     const ProgramResult json = run_nacre({"--json", "pick", "--measured", gold_beetle});
@@ -223,7 +224,7 @@ TEST(PickOptions, MeasuredLeadsToAFilmToo) {
     EXPECT_EQ(result.err, "");
     EXPECT_NE(result.out.find("#    angle  measured peak"), std::string::npos) << result.out;
     folder.file("s.toml", result.out);
-    const ProgramResult baked = run_nacre({"bake", "s.toml", "-o", "out"}, here);
+    const ProgramResult baked = run_nacre({"bake", "s.toml", "-o", "out", "--no-preview"}, here);
     EXPECT_EQ(baked.exit_code, 0) << baked.err;
 }
 

@@ -29,7 +29,7 @@ TEST(PickedColours, StandInThePlanTheHeaderAndTheManifest) {
     EXPECT_EQ(refused.exit_code, 2);
     EXPECT_EQ(std::count(refused.err.begin(), refused.err.end(), '\n'), 1) << refused.err;
     EXPECT_EQ(folder.names(), std::vector<std::string>{"s.toml"});
-    const ProgramResult baked = run_nacre({"bake", "s.toml", "-o", "out"}, here);
+    const ProgramResult baked = run_nacre({"bake", "s.toml", "-o", "out", "--no-preview"}, here);
     ASSERT_EQ(baked.exit_code, 0) << baked.err;
     const auto manifest = nlohmann::json::parse(file_bytes(folder.path() / "out" / "m.json"));
     ASSERT_EQ(manifest["picked"].size(), 2u);
@@ -56,7 +56,7 @@ TEST(OnePick, BakesWithEverySwatchAndAxis) {
         scene += "[swatch." + std::string(kind) + "]\ndraw = \"" + kind + "\"\n";
     folder.file("s.toml", scene);
     const ProgramOptions here{folder.path(), {}, {}, {}};
-    const ProgramResult baked = run_nacre({"bake", "s.toml", "-o", "out"}, here);
+    const ProgramResult baked = run_nacre({"bake", "s.toml", "-o", "out", "--no-preview"}, here);
     EXPECT_EQ(baked.exit_code, 0) << baked.err;
     EXPECT_NE(baked.err.find("one pick gives the same colour at every angle"), std::string::npos) << baked.err;
     for (const char* file : {"a.exr", "b.exr", "c.exr", "plane.png", "palette.png", "strip.png", "sphere.png"})
@@ -96,7 +96,7 @@ TEST(Pick, PrintsASceneThatBakes) {
         << picked.out;
     EXPECT_NE(picked.out.find("colour = [0.1, 0.2, 0.9] },  # "), std::string::npos) << picked.out;
     folder.file("s.toml", picked.out);
-    const ProgramResult baked = run_nacre({"bake", "s.toml", "-o", "out"}, here);
+    const ProgramResult baked = run_nacre({"bake", "s.toml", "-o", "out", "--no-preview"}, here);
     EXPECT_EQ(baked.exit_code, 0) << baked.err;
     EXPECT_TRUE(std::filesystem::exists(folder.path() / "out" / "my.wing.exr"));
     EXPECT_TRUE(std::filesystem::exists(folder.path() / "out" / "my.wing_sphere.png"));

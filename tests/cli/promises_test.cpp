@@ -23,7 +23,8 @@ struct Outcome {
 Outcome bake(const std::string& material, const std::string& accuracy = "") {
     const TemporaryFolder folder;
     folder.file("s.toml", "[material.m]\n" + material + "\n[accuracy]\n" + accuracy + "\n");
-    const ProgramResult result = run_nacre({"bake", "s.toml", "-o", "out"}, {folder.path(), {}, {}, {}});
+    const ProgramResult result =
+        run_nacre({"bake", "s.toml", "-o", "out", "--no-preview"}, {folder.path(), {}, {}, {}});
     Outcome outcome{result.exit_code, result.err, 0.0, 0.0, 0};
     if (result.exit_code != 0) return outcome;
     const auto manifest = nlohmann::json::parse(file_bytes(folder.path() / "out" / "m.json"));

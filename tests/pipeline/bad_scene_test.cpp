@@ -171,7 +171,7 @@ const std::vector<Mistake> mistakes{
     {"DuplicateKey", scene("shape = 1\nshape = 0\n"), ""},
     {"UnknownSwatch", scene("[swatch.a]\ndraw = \"cube\"\n"),
      ":5:8 [swatch.a]: unknown swatch \"cube\"; known: plane, palette, strip, sphere, bubble, disc, puddle, picks, "
-     "contact_sheet"},
+     "contact_sheet, preview"},
     {"ExposureOfAPlane", scene("[swatch.a]\ndraw = \"plane\"\nexposure = 1\n"),
      ":6:12 [swatch.a]: exposure has no meaning for draw = \"plane\"; remove it, or draw a strip, sphere, bubble, disc "
      "or "
@@ -276,7 +276,7 @@ const std::vector<Mistakes> many_mistakes{
      "s.toml:18:10 [lut.a]: unknown format \"double\"; known: half, float\n"
      "s.toml:20:12 [lut.c]: unknown material \"c\"; known: a, b\n"
      "s.toml:22:8 [swatch.s]: unknown swatch \"cube\"; known: plane, palette, strip, sphere, bubble, disc, puddle, "
-     "picks, contact_sheet"},
+     "picks, contact_sheet, preview"},
     {"OfLayers",
      "[material.m]\nmechanism = \"stack\"\nlayers = [ { ior = 1.5, thickness_nm = 1 },\n"
      "  { index = 1.5, thickness = 3 },\n  { repeat = 2, layers = [ { index = 0, thickness_nm = 5 } ] } ]\ntilt_deg = "

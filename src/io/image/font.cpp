@@ -66,7 +66,7 @@ fs::path find_font(std::span<const fs::path> folders) {
     }
     if (found.empty()) {
         throw IoError(
-            "swatches need a font, and nacre found none; install the Debian package fonts-dejavu-core "
+            "pictures need a font, and nacre found none; install the Debian package fonts-dejavu-core "
             "(DejaVuSans.ttf), or Liberation Sans or Noto Sans");
     }
     return found;

@@ -93,7 +93,7 @@ std::string resolve_display(const OpenedConfig& opened, const std::string& displ
     const std::vector<std::string> known = all_displays(opened.config);
     if (known.empty()) {
         throw Error(where + ": config " + in_quotes(opened.description) +
-                    " has no displays; swatches need a config with a display and a view");
+                    " has no displays; pictures need a config with a display and a view");
     }
     if (display.empty()) return opened.config->getDefaultDisplay();
     if (std::find(known.begin(), known.end(), display) == known.end()) {

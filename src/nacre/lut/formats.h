@@ -19,7 +19,7 @@ inline constexpr std::array format_words{
 inline constexpr std::array output_words{
     Word<LutOutput>{"exr", LutOutput::exr, "the texture"},
     Word<LutOutput>{"json", LutOutput::json, "what the texture is, for tools"},
-    Word<LutOutput>{"png", LutOutput::png, "the strip swatch, to look at"},
+    Word<LutOutput>{"png", LutOutput::png, "the texels as a 16-bit picture for a display"},
 };
 
 }  // namespace nacre

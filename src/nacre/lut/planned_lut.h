@@ -33,6 +33,10 @@ struct AccuracyRequest {
     static constexpr double default_max_de00 = 0.1;
 };
 
+/// A picture of the LUT beside it, NAME.preview.png: automatic is one that nobody asked for, so that it is no failure
+/// if it cannot be drawn.
+enum class Preview { none, automatic, asked };
+
 /// One LUT: <name>.exr and what goes with it.
 struct PlannedLut {
     std::string name;
@@ -41,6 +45,7 @@ struct PlannedLut {
     LutColour colour;
     PixelFormat format = PixelFormat::half_float;
     std::vector<LutOutput> outputs{LutOutput::exr, LutOutput::json};
+    Preview preview = Preview::none;  ///< what the front end wants; a scene does not say
     std::vector<std::string> edits;  ///< what was changed in the scene before it was planned: "accuracy.max_de00 = 0.5"
     Where where;
 };

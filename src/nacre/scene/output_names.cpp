@@ -18,9 +18,14 @@ std::vector<std::string> output_files(const PlannedSwatch& swatch) {
     return {swatch.name + ".png"};
 }
 
+std::string preview_file(const PlannedLut& lut) {
+    return lut.name + ".preview.png";
+}
+
 void OutputNames::claim(const Plan& plan) {
     for (const PlannedLut& lut : plan.luts) {
         for (const std::string& file : output_files(lut)) claim(file, lut.where);
+        if (lut.preview != Preview::none) claim(preview_file(lut), lut.where);
     }
     for (const PlannedSwatch& swatch : plan.swatches) {
         for (const std::string& file : output_files(swatch)) claim(file, swatch.where);

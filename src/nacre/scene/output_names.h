@@ -13,6 +13,8 @@ namespace nacre {
 /// Names of the files that a LUT or a swatch is written to, without a folder.
 std::vector<std::string> output_files(const PlannedLut& lut);
 std::vector<std::string> output_files(const PlannedSwatch& swatch);
+/// The same of the preview of a LUT.
+std::string preview_file(const PlannedLut& lut);
 
 /// Which file is whose, over one plan or several: no two may write the same.
 class OutputNames {

@@ -161,7 +161,8 @@ Plan plan_scene(const Table& scene, const SceneFiles& files, const PlanRequest& 
               materials.read(),
               materials.searches(),
               std::move(luts.luts),
-              std::move(swatches.swatches)};
+              std::move(swatches.swatches),
+              !swatches.names.empty()};
     check_plan(scene, plan, request);
     throw_mistakes(scene);
     plan.warnings = joined(accuracy.warnings, warnings_of(plan));

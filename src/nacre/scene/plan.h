@@ -37,7 +37,8 @@ struct Plan {
     std::vector<MaterialSearch> searches;  ///< of these, what picks of films, stacks, gratings and crystals led to
     std::vector<PlannedLut> luts;
     std::vector<PlannedSwatch> swatches;
-    std::string variant{};  ///< the name of the variant of the scene that this is; empty: it is the scene itself
+    bool has_swatches = false;  ///< whether the scene has any [swatch], asked for or not
+    std::string variant{};      ///< the name of the variant of the scene that this is; empty: it is the scene itself
 };
 
 /// Null if the plan has no material of that name.

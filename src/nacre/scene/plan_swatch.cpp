@@ -20,6 +20,11 @@ bool is_lit(SwatchKind kind) {
            kind == SwatchKind::puddle;
 }
 
+// Whether it shows the colours of a LUT over their axes.
+bool has_strip(SwatchKind kind) {
+    return kind == SwatchKind::strip || kind == SwatchKind::preview;
+}
+
 // Leaves the swatch without jobs if the LUT or its material has mistakes.
 void show_lut(const Table& table, const Value& value, const SceneParts& parts,
               const std::vector<std::string>& lut_names, PlannedSwatch& swatch) {
@@ -81,10 +86,9 @@ void refuse(const Table& table, std::string_view key, SwatchKind kind, std::stri
 // What only some pictures know: the exposure, and what a strip is even in.
 void read_view(const Table& table, PlannedSwatch& swatch) {
     constexpr Allowed allowed_ev{-20.0, 20.0, "EV"};
-    const bool is_strip = swatch.kind == SwatchKind::strip;
-    if (!is_strip && !is_lit(swatch.kind) && swatch.kind != SwatchKind::contact_sheet)
+    if (!has_strip(swatch.kind) && !is_lit(swatch.kind) && swatch.kind != SwatchKind::contact_sheet)
         refuse(table, "exposure", swatch.kind, "a strip, sphere, bubble, disc or puddle");
-    if (!is_strip) refuse(table, "x", swatch.kind, "a strip");
+    if (!has_strip(swatch.kind)) refuse(table, "x", swatch.kind, "a strip");
     if (table.find("exposure") != nullptr) swatch.exposure_ev = table.number("exposure", allowed_ev);
     const Value* x = table.find("x");
     if (x == nullptr) return;
@@ -128,7 +132,7 @@ std::optional<PlannedSwatch> read_swatch(const Table& table, const Table::Entry&
     swatch.view = table.text_or("view", "");
     swatch.gamut = read_word(table, "gamut", "gamut", swatch_gamut_words);
     read_view(table, swatch);
-    const bool may_show_lut = swatch.kind == SwatchKind::strip || is_lit(swatch.kind);
+    const bool may_show_lut = has_strip(swatch.kind) || is_lit(swatch.kind);
     const Value* lut = may_show_lut ? table.find("lut") : nullptr;
     if (swatch.kind == SwatchKind::contact_sheet) {
         show_all_luts(table, parts, swatch);

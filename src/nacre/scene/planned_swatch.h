@@ -17,7 +17,7 @@
 namespace nacre {
 
 /// What a swatch shows: see [swatch.NAME] in the documentation of scenes.
-enum class SwatchKind { plane, palette, strip, sphere, bubble, disc, puddle, picks, contact_sheet };
+enum class SwatchKind { plane, palette, strip, sphere, bubble, disc, puddle, picks, contact_sheet, preview };
 
 inline constexpr std::array swatch_words{
     Word<SwatchKind>{"plane", SwatchKind::plane, "peak wavelength against angle, with the picks"},
@@ -29,6 +29,7 @@ inline constexpr std::array swatch_words{
     Word<SwatchKind>{"puddle", SwatchKind::puddle, "a puddle under an overcast sky"},
     Word<SwatchKind>{"picks", SwatchKind::picks, "picked colours beside those that are reached"},
     Word<SwatchKind>{"contact_sheet", SwatchKind::contact_sheet, "all LUTs of the scene, or of its variants, labelled"},
+    Word<SwatchKind>{"preview", SwatchKind::preview, "a strip and an object in one picture, as beside every LUT"},
 };
 
 /// What a contact sheet shows of each LUT.
@@ -58,7 +59,7 @@ struct PlannedSwatch {
     LutColour colour;                       ///< of the LUT that it shows, or of the scene
     std::string display;                    ///< empty: the config's default
     std::string view;
-    std::optional<double> exposure_ev;  ///< of a strip and of objects; none: automatic
+    std::optional<double> exposure_ev;  ///< of strips and objects; none: automatic
     /// What a strip is even in, where it shows the angle to the normal: degrees.
     const AxisKind* shown_axis = &even_degrees();
     Gamut gamut = Gamut::compress;  ///< compress or clip: how colours that an sRGB display lacks are shown

@@ -78,6 +78,7 @@ std::vector<Job> swatch_jobs(SwatchKind kind, const Material& material, const st
         case SwatchKind::puddle:
         case SwatchKind::picks:
         case SwatchKind::contact_sheet:
+        case SwatchKind::preview:
             break;
     }
     job.x = default_axis(quantity_of(material.mechanism));

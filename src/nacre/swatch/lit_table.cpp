@@ -10,7 +10,6 @@
 #include "nacre/material/effects.h"
 #include "nacre/material/mechanism.h"
 #include "nacre/optics/base.h"
-#include "nacre/swatch/swatch_panel.h"
 
 namespace nacre {
 namespace {
@@ -22,6 +21,10 @@ constexpr PlotArea plane_area_of_two{0, 0, 384, 192};
 bool scatters_below(const Job& job) {
     const std::optional<Base>& base = job.material.mechanism.effects.base;
     return base && !std::holds_alternative<MetalBase>(*base) && !job.without.has(Effect::base);
+}
+
+bool is_of_material(const Axis& axis) {
+    return !axis.is_angle() && axis.parameter.name != "azimuth_deg";
 }
 
 struct Between {
@@ -36,22 +39,22 @@ Between between_texels(double position, int size) {
 
 }  // namespace
 
-LitTable lit_table(const Job& job) {
+LitTable lit_table(const Job& job, double most_effort) {
     LitTable table;
     table.quantity = quantity_of(job.material.mechanism);
-    if (job.y && !job.y->is_angle()) table.second = job.y;
-    if (!table.second && !job.x.is_angle()) table.second = job.x;
+    if (job.y && is_of_material(*job.y)) table.second = job.y;
+    if (!table.second && is_of_material(job.x)) table.second = job.x;
     Job fine = job;
     fine.x = default_axis(table.quantity);
     fine.y = table.second;
     const PlotArea& area = fine.y ? plane_area_of_two : line_area;
     table.first_tilt_deg = mechanism_at(fine, 0.0, 0.0).effects.tilt_deg;
     table.last_tilt_deg = mechanism_at(fine, 0.0, 1.0).effects.tilt_deg;
-    table.mirrored = bake_panel(fine, area).image;
+    table.mirrored = bake_panel(fine, area, most_effort).image;
     if (!scatters_below(job)) return table;
     table.scattered = std::move(table.mirrored);
     fine.without.insert(Effect::base);
-    table.mirrored = bake_panel(fine, area).image;
+    table.mirrored = bake_panel(fine, area, most_effort).image;
     std::transform(table.scattered.begin(), table.scattered.end(), table.mirrored.begin(), table.scattered.begin(),
                    [](const Xyz& all, const Xyz& mirrored) { return all + -1.0 * mirrored; });
     return table;

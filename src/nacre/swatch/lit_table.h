@@ -6,6 +6,7 @@
 #include "nacre/colour/colour_types.h"
 #include "nacre/lut/job.h"
 #include "nacre/material/geometry.h"
+#include "nacre/swatch/swatch_panel.h"
 
 namespace nacre {
 
@@ -27,8 +28,10 @@ struct LitTable {
     std::optional<Axis> second;   ///< a number of the material
 };
 
-/// Of a job with two axes the number of the material (the second, if both are) becomes the second axis.
-LitTable lit_table(const Job& job);
+/// Of a job with two axes the number of the material (the second, if both are) becomes the second axis. An azimuth does
+/// not: it says where the light comes from.
+/// @param most_effort  as of bake_panel()
+LitTable lit_table(const Job& job, double most_effort = most_panel_effort);
 
 /// Linear interpolation, as a texture unit does it. @pre the image is at least 2 wide
 /// @param coordinate  on the axis of the angle

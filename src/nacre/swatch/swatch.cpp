@@ -18,6 +18,7 @@
 #include "nacre/swatch/swatch_lit.h"
 #include "nacre/swatch/swatch_panel.h"
 #include "nacre/swatch/swatch_picks.h"
+#include "nacre/swatch/swatch_preview.h"
 #include "nacre/swatch/swatch_sheet.h"
 #include "nacre/swatch/swatch_strip.h"
 
@@ -178,6 +179,8 @@ Swatch draw_swatch(const PlannedSwatch& swatch, const LutSpace& space) {
             return draw_picks(swatch, space);
         case SwatchKind::contact_sheet:
             return draw_sheet(swatch, space);
+        case SwatchKind::preview:
+            return draw_preview(swatch, space);
     }
     return {};
 }

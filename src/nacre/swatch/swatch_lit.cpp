@@ -3,9 +3,13 @@
 #include <cmath>
 #include <string>
 #include <utility>
+#include <variant>
 
 #include "nacre/lut/axis.h"
 #include "nacre/material/geometry.h"
+#include "nacre/material/mechanism.h"
+#include "nacre/optics/layered.h"
+#include "nacre/optics/refractive_index.h"
 #include "nacre/swatch/lit_picture.h"
 #include "nacre/swatch/lit_table.h"
 #include "nacre/swatch/swatch_disc.h"
@@ -46,12 +50,19 @@ double automatic_ev(const LitTable& table, const LitPicture& picture, double bri
     return picture.brightest > 0.0 ? std::log2(level / picture.brightest) : 0.0;
 }
 
-// "thickness: 20 nm at the top, 1200 nm at the bottom"
-std::string second_axis_text(const Axis& axis, const Scenery& scenery) {
+// "20 nm at the top, 1200 nm at the bottom"
+std::string ends_text(const Axis& axis, const Scenery& scenery) {
     const std::string unit =
         axis.parameter.allowed.unit == "degrees" ? "°" : " " + std::string(axis.parameter.allowed.unit);
     const auto end = [&](double value, const char* where) { return rounded_text(value, 4) + unit + " " + where; };
-    return axis.parameter.description + ": " + end(axis.from, scenery.first) + ", " + end(axis.to, scenery.last);
+    return end(axis.from, scenery.first) + ", " + end(axis.to, scenery.last);
+}
+
+// Of water 1.333 to 1.339 over the visible range (Hale and Querry 1973); a scene may say 1.33, or mean sea water.
+bool is_water(const Index& index) {
+    constexpr double green_nm = 550.0;
+    const RefractiveIndex n = index.at(green_nm);
+    return std::abs(n.real() - 1.334) < 0.01 && n.imag() < 1e-3;
 }
 
 void draw_note(Swatch& swatch, const std::string& text, Align align) {
@@ -69,14 +80,26 @@ std::string exposure_text(double exposure_ev) {
     return "exposure " + std::string(exposure_ev > 0.0 ? "+" : "") + rounded + " EV";
 }
 
-LitImage lit_image(const PlannedSwatch& planned, int side) {
-    const LitTable table = lit_table(planned.jobs.front());
+SwatchKind object_of(const Material& material) {
+    if (quantity_of(material.mechanism) == Quantity::grating_u) return SwatchKind::disc;
+    const auto* film = std::get_if<Film>(&material.mechanism);
+    if (film == nullptr || material.mechanism.effects.base) return SwatchKind::sphere;
+    if (film->substrate == film->incident) return SwatchKind::bubble;
+    return is_water(film->substrate) ? SwatchKind::puddle : SwatchKind::sphere;
+}
+
+LitImage lit_image(const PlannedSwatch& planned, int side, double most_effort) {
+    const LitTable table = lit_table(planned.jobs.front(), most_effort);
     const Scenery scenery = scenery_of(planned.kind);
     const LitPicture picture = take_picture(
         scenery.camera, [&](const Ray& ray) { return scenery.look(table, ray); }, side);
     const double exposure_ev = planned.exposure_ev.value_or(automatic_ev(table, picture, scenery.brightness));
-    return {exposed(picture, std::exp2(exposure_ev)), exposure_ev,
-            table.second ? second_axis_text(*table.second, scenery) : ""};
+    LitImage lit{exposed(picture, std::exp2(exposure_ev)), exposure_ev, {}, {}};
+    if (table.second) {
+        lit.second_axis = table.second->parameter.description;
+        lit.second_ends = ends_text(*table.second, scenery);
+    }
+    return lit;
 }
 
 Swatch draw_lit(const PlannedSwatch& planned) {
@@ -85,7 +108,7 @@ Swatch draw_lit(const PlannedSwatch& planned) {
     swatch.width = swatch.height = lit_side;
     swatch.panels.push_back({0, 0, std::move(lit.image)});
     draw_title(swatch, planned.title, planned.jobs.front(), lit_margin, lit_side - lit_margin);
-    draw_note(swatch, lit.second_axis, Align::left);
+    if (!lit.second_axis.empty()) draw_note(swatch, lit.second_axis + ": " + lit.second_ends, Align::left);
     draw_note(swatch, exposure_text(lit.exposure_ev), Align::right);
     return swatch;
 }

@@ -4,7 +4,9 @@
 
 #include "nacre/base/image.h"
 #include "nacre/colour/colour_types.h"
+#include "nacre/material/mechanism.h"
 #include "nacre/scene/planned_swatch.h"
+#include "nacre/swatch/swatch_panel.h"
 #include "nacre/swatch/swatch_picture.h"
 
 namespace nacre {
@@ -19,10 +21,16 @@ Swatch draw_lit(const PlannedSwatch& planned);
 struct LitImage {
     Image<Xyz> image;
     double exposure_ev = 0.0;
-    std::string second_axis;  ///< "thickness: 20 nm at the top, 1200 nm at the bottom"; empty: there is none
+    std::string second_axis;  ///< what it is: "thickness"; empty: there is none
+    std::string second_ends;  ///< "20 nm at the top, 1200 nm at the bottom"
 };
-/// @param side  in pixels
-LitImage lit_image(const PlannedSwatch& planned, int side);
+/// @param side         in pixels
+/// @param most_effort  of its colours, as of bake_panel()
+LitImage lit_image(const PlannedSwatch& planned, int side, double most_effort = most_panel_effort);
+
+/// The object that a material is easiest to recognise as: a disc of a grating, a puddle of a film on water, a bubble of
+/// a free film, else a sphere.
+SwatchKind object_of(const Material& material);
 
 inline constexpr double lit_brightest = 0.92;
 

@@ -16,19 +16,16 @@
 namespace nacre {
 namespace {
 
-// The effort limit of a picture, in reflectances of a film: a few seconds. A more expensive one is baked smaller and
-// enlarged.
-constexpr double most_panel_effort = 3e9;
-
-// By how much both sides are divided.
-double panel_reduction(const Job& job) {
+// By how much the sides are divided: both of a job with y, else the width.
+double panel_reduction(const Job& job, double most_effort) {
     if (std::holds_alternative<Palette>(job.material.mechanism)) return 1.0;
     Sampler sampler(job);
     sampler.at(0.5, 0.5);
     const double pixels = static_cast<double>(job.width) * job.height;
     const double effort = pixels * static_cast<double>(sampler.work().samples) *
                           effort_per_sample(mechanism_at(job, 0.5, 0.5), job.sampling.slices);
-    return std::max(1.0, std::sqrt(effort / most_panel_effort));
+    const double ratio = std::max(1.0, effort / most_effort);
+    return job.y ? std::sqrt(ratio) : ratio;
 }
 
 Xyz mixed(double share, const Xyz& a, const Xyz& b) {
@@ -67,15 +64,15 @@ private:
 
 }  // namespace
 
-Panel bake_panel(const Job& job, const PlotArea& area) {
+Panel bake_panel(const Job& job, const PlotArea& area, double most_effort) {
     Job sized = job;
     sized.width = area.width;
     sized.height = job.y ? area.height : 1;
     sized.sampling = choose_sampling(sized, {0.1, 1.0, 0.1, 0.0}).sampling;
-    if (const double reduction = panel_reduction(sized); job.y && reduction > 1.0) {
+    if (const double reduction = panel_reduction(sized, most_effort); reduction > 1.0) {
         constexpr double smallest = 64.0;
         sized.width = static_cast<int>(std::max(area.width / reduction, smallest));
-        sized.height = static_cast<int>(std::max(area.height / reduction, smallest));
+        if (job.y) sized.height = static_cast<int>(std::max(area.height / reduction, smallest));
     }
     const Enlarged baked(bake(sized), area.width, job.y ? area.height : 1);
     Panel panel{area.left, area.top, Image<Xyz>(area.width, area.height)};

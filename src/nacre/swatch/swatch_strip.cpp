@@ -88,14 +88,12 @@ Job shown_job(const PlannedSwatch& planned) {
     return job;
 }
 
-Swatch draw_strip(const PlannedSwatch& planned, const LutSpace& space) {
+void draw_strip_in(Swatch& swatch, const PlannedSwatch& planned, const PlotArea& area, const LutSpace& space,
+                   double most_effort) {
     const Job job = shown_job(planned);
     const AxisKind* texels = planned.jobs.front().x.kind;
-    const PlotArea area = job.y ? lut_area : strip_area;
-    Swatch swatch;
-    swatch.width = picture_width;
     swatch.height = area.top + area.height + below_strip_plot;
-    swatch.panels.push_back(bake_panel(job, area));
+    swatch.panels.push_back(bake_panel(job, area, most_effort));
     if (texels != job.x.kind) {
         draw_texel_scale(swatch, area, *job.x.kind, *texels);
         swatch.height += texel_scale_height;
@@ -104,7 +102,6 @@ Swatch draw_strip(const PlannedSwatch& planned, const LutSpace& space) {
     draw_outside(swatch, area, colours, !job.y, space);
     const double exposure_ev = planned.exposure_ev.value_or(automatic_strip_ev(job, colours));
     for (Xyz& colour : colours) colour = std::exp2(exposure_ev) * colour;
-    draw_title(swatch, planned.title, job, job.y ? area.left - 10 : area.left, area.left + area.width);
     draw_frame(swatch, area);
     draw_x_axis(swatch, area, job.x, axis_title(job.x));
     if (job.y) draw_y_axis(swatch, area, *job.y, axis_title(*job.y));
@@ -116,6 +113,15 @@ Swatch draw_strip(const PlannedSwatch& planned, const LutSpace& space) {
         draw_strip_clamps(swatch, job, area);
         draw_strip_picks(swatch, job, area);
     }
+}
+
+Swatch draw_strip(const PlannedSwatch& planned, const LutSpace& space) {
+    const Job& job = planned.jobs.front();
+    const PlotArea area = job.y ? lut_area : strip_area;
+    Swatch swatch;
+    swatch.width = picture_width;
+    draw_strip_in(swatch, planned, area, space);
+    draw_title(swatch, planned.title, job, job.y ? area.left - 10 : area.left, area.left + area.width);
     return swatch;
 }
 

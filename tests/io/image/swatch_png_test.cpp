@@ -253,7 +253,7 @@ TEST_F(SwatchFolder, WithoutAFontTheErrorNamesThePackage) {
         FAIL();
     } catch (const IoError& error) {
         EXPECT_STREQ(error.what(),
-                     "swatches need a font, and nacre found none; install the Debian package fonts-dejavu-core "
+                     "pictures need a font, and nacre found none; install the Debian package fonts-dejavu-core "
                      "(DejaVuSans.ttf), or Liberation Sans or Noto Sans");
     }
 }

@@ -374,7 +374,7 @@ TEST(Targets, DataIsNoColour) {
 
 TEST(Targets, ConfigWithoutDisplaysHasNoSwatches) {
     EXPECT_EQ(message_of([] { opened("no_interchange.ocio", "Studio XYZ").to_display("", "", where); }),
-              "scene.toml:4: config \"no_interchange.ocio (studio)\" has no displays; swatches need a config with a "
+              "scene.toml:4: config \"no_interchange.ocio (studio)\" has no displays; pictures need a config with a "
               "display and a "
               "view");
 }

@@ -14,12 +14,12 @@
 #include "cli/scenes.h"
 #include "io/scene/spectra_csv.h"
 #include "nacre/base/error.h"
-#include "nacre/base/text.h"
 #include "nacre/base/names.h"
+#include "nacre/base/text.h"
 #include "nacre/material/mechanism.h"
 #include "nacre/pick/band/pale_path.h"
 #include "nacre/pick/fit_palette.h"
-#include "nacre/pick/missed_picks.h"
+#include "nacre/pick/unmatched_picks.h"
 #include "nacre/scene/readers/mechanism_reader.h"
 #include "pipeline/compare_mechanisms.h"
 #include "pipeline/json.h"
@@ -83,9 +83,9 @@ std::string comment_on(const PickedColour& picked) {
 }
 
 void judge(const PickOptions& options, const std::vector<PickedColour>& picked, Console& console) {
-    for (const MissedPick& missed : missed_picks(picked)) {
+    for (const UnmatchedPick& unmatched : unmatched_picks(picked)) {
         const std::string message =
-            missed.picked.text + " at " + number_text(missed.picked.angle_deg) + " deg: " + missed.text;
+            unmatched.picked.text + " at " + number_text(unmatched.picked.angle_deg) + " deg: " + unmatched.text;
         if (options.strict) throw Error(message);
         console.warning(message);
     }

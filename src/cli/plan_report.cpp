@@ -84,7 +84,7 @@ void add_accuracy(Json& json, const DecidedLut& task) {
                              {"storage", chosen.predicted.storage}};
     }
     json["reached"] = chosen.is_reached || !request.has_bound;
-    if (!chosen.obstacle.empty()) json["obstacle"] = chosen.obstacle;
+    if (!chosen.limiting_factor.empty()) json["limiting_factor"] = chosen.limiting_factor;
 }
 
 }  // namespace

@@ -53,7 +53,7 @@ std::string out_of_reach(const ChosenLut& chosen) {
     return lut.where.text() + " " + lut.name + ": " + (lut.request.is_binding ? "" : "the default ") +
            "max_de00 = " + number_text(lut.request.max_de00) + " cannot be reached; the best is " +
            significant_text(chosen.predicted.total, 3) + ", with " + size_text(lut.job) + " " +
-           std::string(name_of(format_words, lut.format)) + ": " + chosen.obstacle;
+           std::string(name_of(format_words, lut.format)) + ": " + chosen.limiting_factor;
 }
 
 }  // namespace nacre

@@ -101,7 +101,7 @@ Json picked_json(const PickedColour& picked) {
         json["shown_chroma"] = std::round(picked.shown.chroma * 1e6) / 1e6;
     }
     json["de00"] = rounded_up(picked.de00);
-    json["match"] = picked.is_met() ? (picked.lobe ? "exact" : "met") : (picked.lobe ? "dimmed" : "missed");
+    json["match"] = picked.is_met() ? (picked.lobe ? "exact" : "met") : (picked.lobe ? "dimmed" : "unmatched");
     return json;
 }
 

@@ -209,11 +209,11 @@ void decide_and_bake(benchmark::State& state, double strength) {
     const Encoding encoding = lut_encoding(transform, Gamut::keep);
     double ours = 0.0, theirs = 0.0, baking = 0.0, baking_all = 0.0;
     for (auto _ : state) {
-        ChosenLut chosen, settled_all;
+        ChosenLut chosen, chosen_all;
         ours += seconds_of([&] { chosen = choose_lut(lut, encoding); });
         baking += seconds_of([&] { benchmark::DoNotOptimize(bake(chosen.lut.job)); });
-        theirs += seconds_of([&] { settled_all = choose_lut(all, encoding); });
-        baking_all += seconds_of([&] { benchmark::DoNotOptimize(bake(settled_all.lut.job)); });
+        theirs += seconds_of([&] { chosen_all = choose_lut(all, encoding); });
+        baking_all += seconds_of([&] { benchmark::DoNotOptimize(bake(chosen_all.lut.job)); });
         state.counters["left_out"] = chosen.lut.job.without.size();
         state.counters["effects_dE00"] = chosen.predicted.effects;
     }

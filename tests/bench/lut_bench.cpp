@@ -24,7 +24,7 @@ PlannedLut planned_lut(std::optional<int> wavelengths) {
     return lut;
 }
 
-ChosenLut settle_at_256(PlannedLut lut, const ColourTransform& transform) {
+ChosenLut choose_at_256(PlannedLut lut, const ColourTransform& transform) {
     lut.request.width = 256;
     lut.request.is_binding = lut.request.has_bound = false;
     return choose_lut(lut, lut_encoding(transform, Gamut::keep));
@@ -64,7 +64,7 @@ void lut_256_sampled_at_1nm(benchmark::State& state) {
 void lut_256_to_exr_bytes(benchmark::State& state) {
     const PlannedLut lut = planned_lut({});
     const ColourTransform transform = ColourConfig::open({"", "", "bench"}).to_colour_space("lin_rec709", "bench");
-    const ChosenLut chosen = settle_at_256(lut, transform);
+    const ChosenLut chosen = choose_at_256(lut, transform);
     for (auto _ : state) {
         const BakedLut baked = bake_lut(chosen, Plan{}, {"nacre (built in)", ""}, transform);
         benchmark::DoNotOptimize(encode_lut(baked.image, lut.format, baked.header));

@@ -25,11 +25,11 @@ double diffuse(const Base& base, double nm) {
 
 }  // namespace
 
-double base_factor(const std::vector<PlainLayers>& realisations, const Base& base, double nm) {
+double base_factor(const std::vector<PlainLayers>& samples, const Base& base, double nm) {
     constexpr int directions = 40;
     double reflected = 0.0, passed = 0.0;
-    for (const PlainLayers& realisation : realisations) {
-        const MediaAt media = media_at(realisation, nm);
+    for (const PlainLayers& sample : samples) {
+        const MediaAt media = media_at(sample, nm);
         const double n = media.index[1].real(), n_above = media.index[0].real();
         const double critical = n > n_above ? 1.0 - square(n_above / n) : 0.0;
         for (const auto& [from, to] : {std::pair{0.0, critical}, std::pair{critical, 1.0}}) {
@@ -39,9 +39,9 @@ double base_factor(const std::vector<PlainLayers>& realisations, const Base& bas
                 // is 0 there twice over, and the midpoint rule errs by the fourth power of the step.
                 const double s = (i + 0.5) / directions;
                 const double cos_square = from + (to - from) * s * s * s * (10.0 - 15.0 * s + 6.0 * s * s);
-                const double weight = realisation.share * (to - from) * 30.0 * square(s * (1.0 - s)) / directions;
+                const double weight = sample.share * (to - from) * 30.0 * square(s * (1.0 - s)) / directions;
                 for (const bool is_p : {false, true}) {
-                    const ModelPowers powers = powers_at(realisation, media, {n, std::sqrt(cos_square), is_p});
+                    const ModelPowers powers = powers_at(sample, media, {n, std::sqrt(cos_square), is_p});
                     reflected += 0.5 * weight * powers.reflectance_below;
                     passed += 0.5 * weight * powers.transmittance_below;
                 }
@@ -53,7 +53,7 @@ double base_factor(const std::vector<PlainLayers>& realisations, const Base& bas
 }
 
 double base_factor(const Mechanism& mechanism, double wavelength_nm) {
-    return base_factor(realisations_of(mechanism), *mechanism.effects.base, wavelength_nm);
+    return base_factor(thickness_samples_of(mechanism), *mechanism.effects.base, wavelength_nm);
 }
 
 }  // namespace nacre::reference

@@ -34,7 +34,7 @@ struct PlainLayers {
 PlainLayers layers_of(const Mechanism& mechanism);
 
 /// As uneven thicknesses make them, with shares whose sum is 1.
-std::vector<PlainLayers> realisations_of(const Mechanism& mechanism);
+std::vector<PlainLayers> thickness_samples_of(const Mechanism& mechanism);
 
 /// What of layers depends on the wavelength alone.
 struct MediaAt {
@@ -66,7 +66,7 @@ double coherent_reflectance(const PlainLayers& layers, const MediaAt& media, con
 /// The fraction of the light that enters layers at a wavelength which comes out again from a diffuse base below them,
 /// over their transmittance: rho t / (1 - rho r), r and t for light that comes evenly from all directions below.
 double base_factor(const Mechanism& mechanism, double wavelength_nm);
-double base_factor(const std::vector<PlainLayers>& realisations, const Base& base, double wavelength_nm);
+double base_factor(const std::vector<PlainLayers>& samples, const Base& base, double wavelength_nm);
 
 // ---- For the files that this is made of ----
 

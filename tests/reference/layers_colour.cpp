@@ -17,18 +17,18 @@ public:
         : light_(light),
           y_(scene.y),
           polarisation_(scene.mechanism.effects.polarisation),
-          realisations_(realisations_of(scene.mechanism)) {
+          samples_(thickness_samples_of(scene.mechanism)) {
         const std::optional<Base>& base = scene.mechanism.effects.base;
         if (!base || std::holds_alternative<MetalBase>(*base)) return;
         constexpr int intervals = 188;  // of 2.5 nm: what comes evenly from everywhere has blurred fringes
         for (int i = 0; i <= intervals; ++i) {
             const double nm = light_begins_nm + (light_ends_nm - light_begins_nm) * static_cast<double>(i) / intervals;
-            base_factor_.push_back(base_factor(realisations_, *base, nm));
+            base_factor_.push_back(base_factor(samples_, *base, nm));
         }
     }
 
     double longest_step_nm(double x, double y) const override {
-        const PlainLayers& layers = realisations_.front();
+        const PlainLayers& layers = samples_.front();
         // Towards grazing either face of a layer in thinner media is a mirror, and its fringes are sharp.
         const double above = index_at(layers.media[0], 550.0).real(), below = index_at(layers.media[1], 550.0).real();
         const double shortest_nm = below < 1.15 * above ? 0.0625 : 1.0;
@@ -46,10 +46,10 @@ public:
 
     double cost() const override {
         const double step_nm = std::min(longest_step_nm(0.7, 0.0), longest_step_nm(0.7, 1.0));
-        const PlainLayers& layers = realisations_.front();
+        const PlainLayers& layers = samples_.front();
         // Twice, and the second time at twice as many wavelengths; a medium's root costs as much as two faces.
         return 3.0 * (light_ends_nm - light_begins_nm) / step_nm *
-               static_cast<double>((2 + layers.layers.size() + 2 * layers.media.size()) * realisations_.size());
+               static_cast<double>((2 + layers.layers.size() + 2 * layers.media.size()) * samples_.size());
     }
 
     Triple at(double x, double y, double step_nm) const override {
@@ -57,14 +57,14 @@ public:
         const WavelengthGrid& grid = light_.grid(step_nm);
         const std::vector<MediaAt>& media = media_of(step_nm, grid);
         std::vector<double> spectrum(grid.nm.size(), 0.0);
-        for (const PlainLayers& even : realisations_) {
-            const PlainLayers& realisation = y_ ? at_y(even, y) : even;
+        for (const PlainLayers& even : samples_) {
+            const PlainLayers& sample = y_ ? at_y(even, y) : even;
             for (std::size_t i = 0; i < spectrum.size(); ++i) {
                 for (const bool is_p : {false, true}) {
                     if (polarisation_ != Polarisation::mean && (polarisation_ == Polarisation::p) != is_p) continue;
-                    const double share = realisation.share * (polarisation_ == Polarisation::mean ? 0.5 : 1.0);
+                    const double share = sample.share * (polarisation_ == Polarisation::mean ? 0.5 : 1.0);
                     const Wave wave{media[i].index[0].real(), cos_theta, is_p};
-                    spectrum[i] += share * seen(realisation, media[i], wave);
+                    spectrum[i] += share * seen(sample, media[i], wave);
                 }
             }
         }
@@ -88,14 +88,14 @@ private:
     const std::vector<MediaAt>& media_of(double step_nm, const WavelengthGrid& grid) const {
         std::vector<MediaAt>& made = media_[step_nm];
         if (made.empty())
-            for (const double nm : grid.nm) made.push_back(media_at(realisations_.front(), nm));
+            for (const double nm : grid.nm) made.push_back(media_at(samples_.front(), nm));
         return made;
     }
 
     const ModelLight& light_;
     std::optional<ModelParameter> y_;
     Polarisation polarisation_;
-    std::vector<PlainLayers> realisations_;
+    std::vector<PlainLayers> samples_;
     std::vector<double> base_factor_;
     mutable std::map<double, std::vector<MediaAt>> media_;
 };

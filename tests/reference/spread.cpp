@@ -40,7 +40,7 @@ std::vector<std::pair<double, double>> normal_steps(double highest_frequency) {
 
 }  // namespace
 
-std::vector<PlainLayers> realisations_of(const Mechanism& mechanism) {
+std::vector<PlainLayers> thickness_samples_of(const Mechanism& mechanism) {
     const PlainLayers even = layers_of(mechanism);
     const double spread = spread_of(mechanism);
     std::vector<PlainLayers> made{even};
@@ -68,9 +68,9 @@ std::vector<PlainLayers> realisations_of(const Mechanism& mechanism) {
         if (++uneven > 2) throw std::runtime_error("a spread of more than two layers");
         std::vector<PlainLayers> next;
         const auto steps = normal_steps(frequency(largest_n(even.media[even.layers[i].medium]), spread));
-        for (const PlainLayers& realisation : made) {
+        for (const PlainLayers& sample : made) {
             for (const auto& [z, share] : steps) {
-                next.push_back(realisation);
+                next.push_back(sample);
                 next.back().share *= share;
                 double& thickness_nm = next.back().layers[i].thickness_nm;
                 thickness_nm = std::max(thickness_nm + z * spread, 0.0);

@@ -11,7 +11,7 @@
 #include <utility>
 
 #include "io/disk/hash.h"
-#include "io/ocio/colour_entrance.h"
+#include "io/ocio/colour_interchange.h"
 #include "io/ocio/known_spaces.h"
 #include "io/ocio/ocio_detail.h"
 #include "nacre/base/error.h"
@@ -123,20 +123,20 @@ std::string resolve_view(const OpenedConfig& opened, const std::string& display,
 
 // Role scene_linear is where most configs do their work: a wrong interchange space shows there if the config has no
 // well-known name.
-void check_scene_linear(const OpenedConfig& opened, const Entrance& entrance, const std::string& where) {
+void check_scene_linear(const OpenedConfig& opened, const Interchange& interchange, const std::string& where) {
     const auto space = opened.config->getColorSpace(OCIO::ROLE_SCENE_LINEAR);
     if (!space || space->isData() || space->getReferenceSpaceType() != OCIO::REFERENCE_SPACE_SCENE) return;
-    const Conversion conversion = make_conversion(opened.config, road_to_space(entrance, space->getName()));
-    check_neutral(opened, entrance, conversion, space->getName(), where);
+    const Conversion conversion = make_conversion(opened.config, path_to_space(interchange, space->getName()));
+    check_neutral(opened, interchange, conversion, space->getName(), where);
 }
 
-// Encoding of what a view makes: by the road to its colour space, past the view transform. "" if there is no such road.
+// Encoding of what a view makes: by the path to its colour space, past the view transform. "" if there is no such path.
 std::string interop_id_of_view(const OpenedConfig& opened, const OCIO::ConstColorSpaceRcPtr& space,
                                const std::string& where) {
     try {
         const OCIO::ReferenceSpaceType side = space->getReferenceSpaceType();
-        const auto road = road_to_space(find_entrance(opened, side, where), space->getName());
-        return interop_id_of(make_conversion(opened.config, road), side);
+        const auto path = path_to_space(find_interchange(opened, side, where), space->getName());
+        return interop_id_of(make_conversion(opened.config, path), side);
     } catch (const Error&) {
         return {};
     }
@@ -202,15 +202,15 @@ ColourTransform ColourConfig::to_colour_space(const std::string& name, const std
     }
     try {
         const OCIO::ReferenceSpaceType side = space->getReferenceSpaceType();
-        const Entrance entrance = find_entrance(opened, side, where);
+        const Interchange interchange = find_interchange(opened, side, where);
         auto impl = std::make_shared<ColourTransform::Impl>();
         impl->target = space->getName();
-        impl->conversion = make_conversion_with_ctf(opened.config, road_to_space(entrance, impl->target), where);
+        impl->conversion = make_conversion_with_ctf(opened.config, path_to_space(interchange, impl->target), where);
         impl->interop_id = interop_id_of(impl->conversion, side);
         // XYZ itself is the one space in which white is rightly not neutral.
         if (!changes_nothing(impl->conversion)) {
-            if (side == OCIO::REFERENCE_SPACE_SCENE) check_scene_linear(opened, entrance, where);
-            check_neutral(opened, entrance, impl->conversion, impl->target, where);
+            if (side == OCIO::REFERENCE_SPACE_SCENE) check_scene_linear(opened, interchange, where);
+            check_neutral(opened, interchange, impl->conversion, impl->target, where);
         }
         return ColourTransform(std::move(impl));
     } catch (const OCIO::Exception& e) {
@@ -227,13 +227,13 @@ ColourTransform ColourConfig::to_display(const std::string& display, const std::
     impl->target = impl->display + " / " + impl->view;
     try {
         // A view defines its own white (some simulate a warm one), so only the interchange space is checked.
-        const Entrance entrance = find_entrance(opened, OCIO::REFERENCE_SPACE_SCENE, where);
-        check_scene_linear(opened, entrance, where);
+        const Interchange interchange = find_interchange(opened, OCIO::REFERENCE_SPACE_SCENE, where);
+        check_scene_linear(opened, interchange, where);
         auto last = OCIO::DisplayViewTransform::Create();
-        last->setSrc(entrance.space.c_str());
+        last->setSrc(interchange.space.c_str());
         last->setDisplay(impl->display.c_str());
         last->setView(impl->view.c_str());
-        impl->conversion = make_conversion_with_ctf(opened.config, road_through(entrance, last), where);
+        impl->conversion = make_conversion_with_ctf(opened.config, path_through(interchange, last), where);
         impl->interop_id = interop_id_of_view(opened, space_of_view(opened.config, impl->display, impl->view), where);
         return ColourTransform(std::move(impl));
     } catch (const OCIO::Exception& e) {

@@ -29,10 +29,10 @@ KnownSpace known_space(const OCIO::ConstConfigRcPtr& config, const OCIO::ConstCo
     }
     known.side = space->getReferenceSpaceType();
     const bool scene = known.side == OCIO::REFERENCE_SPACE_SCENE;
-    auto road = OCIO::ColorSpaceTransform::Create();
-    road->setSrc(scene ? "lin_ciexyzd65_scene" : "lin_ciexyzd65_display");
-    road->setDst(space->getName());
-    const Conversion conversion = make_conversion(config, road);
+    auto path = OCIO::ColorSpaceTransform::Create();
+    path->setSrc(scene ? "lin_ciexyzd65_scene" : "lin_ciexyzd65_display");
+    path->setDst(space->getName());
+    const Conversion conversion = make_conversion(config, path);
     known.linear = conversion.matrix.has_value();
     known.probes = convert(conversion, probe_colours(), known.names.front());
     return known;

@@ -20,8 +20,8 @@ struct ChosenLut {
     std::vector<EffectChoice> effects;  ///< those of the material, and what became of each
     std::vector<LutPoint> worst;        ///< where it errs most, the worst first: measure() goes there
     bool is_reached = true;             ///< whether the request is met
-    std::string obstacle;  ///< if not, what stands in the way and what would help: "half costs 0.07: use float"
-    Work work;             ///< what deciding took
+    std::string limiting_factor;  ///< if not, what stands in the way and what would help: "half costs 0.07: use float"
+    Work work;                    ///< what deciding took
 };
 
 /// Chooses the cheapest LUT that errs by no more than the request allows: the fewest bytes; of equals the one in half,

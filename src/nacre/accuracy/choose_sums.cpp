@@ -118,7 +118,7 @@ ChosenCount choose_thickness_samples(const Probes& probes, const SpectralSamplin
         all.insert(all.end(), oblique.begin(), oblique.end());
         return all;
     };
-    const RealisationCounts counts = realisation_counts(probes.bands.front().front().simulated);
+    const ThicknessSampleCounts counts = thickness_sample_counts(probes.bands.front().front().simulated);
     const double factor = counts.converge_fast ? 1.0 : error_per_difference_of_slow_means;
     if (requested > 0) {
         const Colours taken = colours_of(requested);

@@ -75,7 +75,7 @@ ChosenLut explain_lut(const LutSearch& search, FoundLut found, Work work) {
     if (!result.is_reached) {
         const std::int64_t most = survey.is_2d() ? survey.effort.most_texels() : std::int64_t{largest_lut_size};
         const double lost = lost_by_space(search, job, work);
-        result.obstacle = limiting_factor(result, {lost, survey.effort.is_spent(work), static_cast<int>(most)});
+        result.limiting_factor = limiting_factor(result, {lost, survey.effort.is_spent(work), static_cast<int>(most)});
     }
     result.work = work;
     return result;

@@ -10,9 +10,9 @@
 namespace nacre {
 namespace {
 
-// Landmarks, and the edges of the bands in which the sampling changes by a trifle.
+// Breakpoints, and the edges of the bands in which the sampling changes by a trifle.
 std::vector<double> borders_of(const Job& job) {
-    std::vector<double> borders = landmarks(job, 0.0);
+    std::vector<double> borders = breakpoints(job, 0.0);
     if (job.x.is_angle() && job.x.kind->quantity == Quantity::incidence) {
         for (const double cos_theta : band_least_cos_theta) borders.push_back(job.x.kind->coordinate(cos_theta));
     }

@@ -11,13 +11,13 @@
 
 namespace nacre {
 
-/// What a bake is checked against: the true colour of a job at one point, by a road of its own.
+/// What a bake is checked against: the true colour of a job at one point, by an independent method.
 ///
 /// Reflectance at single wavelengths, integrated by Gauss-Legendre quadrature over every nanometre, against weights
 /// made anew from the CIE's tables and the illuminant. It shares a mechanism's formulas with the bake, but nothing of
 /// how spectra become XYZ: no closed form, no moments, no nodes, no grid, no SIMD. Every effect of the scene is there,
 /// whatever the bake leaves out. Layers of up to `most_scalar_layers` are solved by the solver's scalar reference
-/// implementation, more by the solver itself at other wavelengths; uneven ones have the bake's realisations, whose
+/// implementation, more by the solver itself at other wavelengths; uneven ones have the bake's samples, whose
 /// number is part of the model. A grating's lines are walked through wave by wave. A base's directions and a surface's
 /// facets are summed by midpoint rules with far more points.
 class Reference {

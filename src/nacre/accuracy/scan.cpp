@@ -40,7 +40,7 @@ constexpr int refined_in_2d = 8;
 
 // After that the worst point of such a cell is closed in on: so often, by so much each time. In 1D that ends when a
 // step gains less than a share of the error: towards a smooth peak each gains a sixteenth of the one before, towards a
-// bend a quarter.
+// kink a quarter.
 constexpr int zooms = 5;
 constexpr int zoom_steps = 4;
 constexpr double hardly_a_gain = 1e-4;
@@ -158,7 +158,7 @@ private:
             const double y = is_2d() ? static_cast<double>(j) / last_line : 0.0;
             line.clear();
             for (int i = 0; i <= last_step; ++i) line.push_back({static_cast<double>(i) / last_step, y});
-            for (const double x : landmarks(job, y)) line.push_back({x, y});
+            for (const double x : breakpoints(job, y)) line.push_back({x, y});
             if (j > 0 && j % per_row < stride) finish_row();
             scan_at(line);
         }
@@ -194,7 +194,7 @@ private:
         return zoom_in(is_worse(found, known) ? found : known, column, row);
     }
 
-    // Closes in on the worst point of a cell: bends need not lie on any grid.
+    // Closes in on the worst point of a cell: kinks need not lie on any grid.
     Cell zoom_in(Cell worst, int column, int row) {
         const int steps = is_2d() ? refined_in_2d : refined_in_1d;
         double reach = 1.0 / steps;  // in cells
@@ -227,23 +227,23 @@ private:
     Scan result_;
 };
 
-// Where bends lie so near each other that an even grid might step over what is between them and just beyond, that is
+// Where kinks lie so near each other that an even grid might step over what is between them and just beyond, that is
 // looked at too: evenly between them, and at growing distances on either side.
 //
-// @param bends  ascending
-std::vector<double> with_steep_stretches(std::vector<double> bends) {
+// @param kinks  ascending
+std::vector<double> with_steep_stretches(std::vector<double> kinks) {
     constexpr double near = 1.0 / 128.0;
     constexpr int between = 32;
     constexpr double growth = 1.25;
-    std::vector<double> all = bends;
-    for (std::size_t i = 1; i < bends.size(); ++i) {
-        const double from = bends[i - 1];
-        const double gap = bends[i] - from;
+    std::vector<double> all = kinks;
+    for (std::size_t i = 1; i < kinks.size(); ++i) {
+        const double from = kinks[i - 1];
+        const double gap = kinks[i] - from;
         if (gap > near) continue;
         for (int step = 1; step < between; ++step) all.push_back(from + gap * step / between);
         for (double distance = gap / between; distance < 1.0; distance *= growth) {
             if (from - distance >= 0.0) all.push_back(from - distance);
-            if (bends[i] + distance <= 1.0) all.push_back(bends[i] + distance);
+            if (kinks[i] + distance <= 1.0) all.push_back(kinks[i] + distance);
         }
     }
     return all;
@@ -251,17 +251,17 @@ std::vector<double> with_steep_stretches(std::vector<double> bends) {
 
 }  // namespace
 
-std::vector<double> landmarks(const Job& job, double y) {
+std::vector<double> breakpoints(const Job& job, double y) {
     if (!job.x.is_angle()) return {};
     const Mechanism mechanism = mechanism_at(job, 0.0, y);
-    std::vector<double> bends;
+    std::vector<double> kinks;
     for (const double angle_deg : kinks_deg(mechanism))
-        bends.push_back(std::clamp(job.x.kind->coordinate(Incidence::from_degrees(angle_deg).cos_theta), 0.0, 1.0));
-    std::sort(bends.begin(), bends.end());
+        kinks.push_back(std::clamp(job.x.kind->coordinate(Incidence::from_degrees(angle_deg).cos_theta), 0.0, 1.0));
+    std::sort(kinks.begin(), kinks.end());
     // A clamp that begins at a pick is found beside it by the last bits.
     constexpr double same = 1e-13;
-    bends.erase(std::unique(bends.begin(), bends.end(), [](double a, double b) { return b - a < same; }), bends.end());
-    return with_steep_stretches(std::move(bends));
+    kinks.erase(std::unique(kinks.begin(), kinks.end(), [](double a, double b) { return b - a < same; }), kinks.end());
+    return with_steep_stretches(std::move(kinks));
 }
 
 Scan scan_errors(Trial& trial, double limit, std::span<const LutPoint> first, bool unrounded) {

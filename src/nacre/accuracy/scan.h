@@ -19,9 +19,9 @@ struct Scan {
 /// The largest error over all coordinates: between the texels too, where the linear filter leaves the curve.
 ///
 /// Every cell is looked at on an even grid, four points a side in 1D and two in 2D, more where cells are few, and at
-/// the model's landmarks (picks; where a clamp begins). Then the worst cells once more, finely, and their worst points
-/// are closed in on. A LUT so large that this were more than some millions of points is looked at on every n-th line
-/// only.
+/// the model's breakpoints (picks; where a clamp begins). Then the worst cells once more, finely, and their worst
+/// points are closed in on. A LUT so large that this were more than some millions of points is looked at on every n-th
+/// line only.
 /// @param limit  stop at an error above this
 /// @param first  points to scan before all others: where a smaller LUT erred
 /// @param unrounded  scan the LUT as it was before its numbers were rounded to the format
@@ -30,6 +30,6 @@ Scan scan_errors(Trial& trial, double limit = std::numeric_limits<double>::infin
 
 /// Coordinates on x at which the model turns sharply: picks, and angles at which a clamp begins; where these lie near
 /// each other, between and beside them too.
-std::vector<double> landmarks(const Job& job, double y);
+std::vector<double> breakpoints(const Job& job, double y);
 
 }  // namespace nacre

@@ -69,21 +69,21 @@ std::vector<std::size_t> thick_layers(const Job& job, double tolerance) {
     for (const std::size_t node : thick) without.nodes[node].is_incoherent = true;
     constexpr double nodes_per_fringe = 8.0;
     constexpr int fewest = 128;
-    const auto sampling = [&](const LayerSystem& layers, const std::vector<std::size_t>& blurred) {
+    const auto sampling = [&](const LayerSystem& layers, const std::vector<std::size_t>& incoherent) {
         const int count = std::max(fewest, static_cast<int>(nodes_per_fringe * fringe_count(layers, light.settings)));
         SpectralSampling result;
         result.nodes.fill(std::make_shared<const SpectralNodes>(make_spectral_nodes(light.weights, count)));
-        result.incoherent_layers = blurred;
+        result.incoherent_layers = incoherent;
         return result;
     };
     LayeredColour sharp(mechanism, sampling(system, {}));
-    LayeredColour blurred(mechanism, sampling(without, thick));
+    LayeredColour incoherent(mechanism, sampling(without, thick));
     std::vector<Xyz> seen;
     std::vector<Xyz> meant;
     double brightest = 0.0;
     for (const double angle_deg : {0.0, 25.0, 45.0, 60.0}) {
         const Incidence incidence = Incidence::from_degrees(angle_deg);
-        seen.push_back(adapt(light.adaptation, blurred.at(incidence)));
+        seen.push_back(adapt(light.adaptation, incoherent.at(incidence)));
         meant.push_back(adapt(light.adaptation, sharp.at(incidence)));
         brightest = std::max(brightest, meant.back().y);
     }

@@ -174,7 +174,7 @@ Points sequence_points(std::size_t layers, int count) {
 
 }  // namespace
 
-RealisationCounts realisation_counts(std::size_t layers) {
+ThicknessSampleCounts thickness_sample_counts(std::size_t layers) {
     switch (layers) {
         case 0:
         case 1:

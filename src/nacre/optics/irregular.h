@@ -24,11 +24,11 @@ namespace nacre {
 LayerEnsemble irregular_systems(const LayerSystem& regular, double spread_nm, int count);
 
 /// Useful sample counts.
-struct RealisationCounts {
+struct ThicknessSampleCounts {
     std::vector<int> list;       ///< ascending, at least three
     bool converge_fast = false;  ///< whether they make grids
 };
 /// @param layers  that are uneven, each on its own
-RealisationCounts realisation_counts(std::size_t layers);
+ThicknessSampleCounts thickness_sample_counts(std::size_t layers);
 
 }  // namespace nacre

@@ -37,7 +37,7 @@ constexpr std::array member_ranges{MemberRange{&Lobe::width_nm, 0.0, std::numeri
                                    MemberRange{&Lobe::flatness, 0.0, largest_flatness}};
 
 // Y(a) - Y(b) in which the cosines may cancel. Its rounding, 1e-16, is nothing beside steps of this length and more;
-// shape_difference() is two sines dearer.
+// shape_difference() is more expensive by two sines.
 double plain_difference(double shape, const Incidence& a, const Incidence& b) {
     return (a.cos_theta - b.cos_theta) * (shape * (a.cos_theta + b.cos_theta) + (1.0 - shape));
 }

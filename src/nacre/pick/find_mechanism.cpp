@@ -43,7 +43,7 @@ public:
         if (std::ssize(answers) > unmet)
             answers.erase(std::find_if(answers.begin() + unmet, answers.end(), is_unmet), answers.end());
         for (std::size_t i = 0; i < std::min(answers.size(), most_sharpened); ++i) {
-            answers[i] = objective_.sharpened(answers[i].design);
+            answers[i] = objective_.refined_with_own_nodes(answers[i].design);
             step();
         }
         std::vector<FoundMechanism> found;

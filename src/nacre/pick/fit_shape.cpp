@@ -70,23 +70,23 @@ public:
         for (const Pick& pick : picks) labs_.push_back(lab_of(colour_of(pick.lobe)));
     }
 
-    /// Becomes the lines of a shape. @return the sum of the squared misses
+    /// Becomes the lines of a shape. @return the sum of the squared differences
     double fit(double shape);
     /// The lines' lobe at a pick.
     Lobe lobe(std::size_t pick) const { return lobe_of(lines_, pick); }
-    /// By how much a lobe misses a pick, CIEDE2000.
-    double miss(std::size_t pick, const Lobe& lobe) const { return ciede2000(labs_[pick], lab_of(colour_of_(lobe))); }
+    /// CIEDE2000 between a lobe and a pick.
+    double de00(std::size_t pick, const Lobe& lobe) const { return ciede2000(labs_[pick], lab_of(colour_of_(lobe))); }
 
 private:
     // The residuals: parts of CIEDE2000, and a small weight of the difference of each number.
-    using Misses = std::array<double, 3 + members.size()>;
+    using Differences = std::array<double, 3 + members.size()>;
     struct Normal {
         std::array<Unknowns, 2 * members.size()> matrix{};
         Unknowns gradient{};
     };
 
     Lobe lobe_of(const Unknowns& lines, std::size_t pick) const;
-    Misses misses_of(const Lobe& lobe, std::size_t pick) const;
+    Differences differences_of(const Lobe& lobe, std::size_t pick) const;
     double square_sum(const Unknowns& lines) const;
     void start_straight();
     Normal normal() const;
@@ -106,21 +106,21 @@ Lobe LineFit::lobe_of(const Unknowns& lines, std::size_t pick) const {
     return lobe;
 }
 
-LineFit::Misses LineFit::misses_of(const Lobe& lobe, std::size_t pick) const {
+LineFit::Differences LineFit::differences_of(const Lobe& lobe, std::size_t pick) const {
     Lobe shown = lobe;
     shown.width_nm = std::max(shown.width_nm, 0.0);
     shown.flatness = std::clamp(shown.flatness, 0.0, largest_flatness);
     const auto seen = ciede2000_parts(labs_[pick], lab_of(colour_of_(shown)));
-    Misses misses{seen[0], seen[1], seen[2]};
+    Differences differences{seen[0], seen[1], seen[2]};
     for (std::size_t i = 0; i < lines_count_; ++i)
-        misses[i + 3] = unseen * (lobe.*members[i] - picks_[pick].lobe.*members[i]) / unit[i];
-    return misses;
+        differences[i + 3] = unseen * (lobe.*members[i] - picks_[pick].lobe.*members[i]) / unit[i];
+    return differences;
 }
 
 double LineFit::square_sum(const Unknowns& lines) const {
     double sum = 0.0;
     for (std::size_t i = 0; i < picks_.size(); ++i) {
-        for (const double miss : misses_of(lobe_of(lines, i), i)) sum += miss * miss;
+        for (const double difference : differences_of(lobe_of(lines, i), i)) sum += difference * difference;
     }
     return sum;
 }
@@ -145,20 +145,20 @@ LineFit::Normal LineFit::normal() const {
     Normal normal;
     for (std::size_t pick = 0; pick < picks_.size(); ++pick) {
         const Lobe here = lobe_of(lines_, pick);
-        const Misses misses = misses_of(here, pick);
-        std::array<Misses, 2 * members.size()> slopes{};
+        const Differences differences = differences_of(here, pick);
+        std::array<Differences, 2 * members.size()> slopes{};
         for (std::size_t i = 0; i < lines_count_; ++i) {
             Lobe beside = here;
             beside.*members[i] += step[i];
-            const Misses moved = misses_of(beside, pick);
+            const Differences moved = differences_of(beside, pick);
             for (std::size_t k = 0; k < moved.size(); ++k) {
-                slopes[i][k] = (moved[k] - misses[k]) * (unit[i] / step[i]);
+                slopes[i][k] = (moved[k] - differences[k]) * (unit[i] / step[i]);
                 slopes[i + lines_count_][k] = slopes[i][k] * y_[pick];
             }
         }
         for (std::size_t i = 0; i < unknowns; ++i) {
-            for (std::size_t k = 0; k < misses.size(); ++k) {
-                normal.gradient[i] += slopes[i][k] * misses[k];
+            for (std::size_t k = 0; k < differences.size(); ++k) {
+                normal.gradient[i] += slopes[i][k] * differences[k];
                 for (std::size_t j = 0; j < unknowns; ++j) normal.matrix[i][j] += slopes[i][k] * slopes[j][k];
             }
         }
@@ -253,7 +253,7 @@ std::optional<ShapeFit> fit_shape(const std::vector<Pick>& picks, const LobeColo
         lobe.width_nm = std::max(lobe.width_nm, 0.0);
         lobe.height = std::clamp(lobe.height, 0.0, 1.0);
         lobe.floor = std::clamp(lobe.floor, 0.0, 1.0);
-        fit.de00.push_back(rounded(lines.miss(i, lobe)));
+        fit.de00.push_back(rounded(lines.de00(i, lobe)));
     }
     return fit;
 }

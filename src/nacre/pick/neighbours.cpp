@@ -86,25 +86,25 @@ Design Neighbours::perturbed(const Design& from, int number, double length) cons
 }
 
 void Neighbours::perturb(std::vector<Rated>& answers, int perturbations) {
-    constexpr std::size_t most_wanderers = 6;
+    constexpr std::size_t most_origins = 6;
     constexpr int rounds = 3;
     constexpr double first_length = 1.0, shorter = 0.7;
     if (perturbations == 0 || search_.free.empty()) return;
     int next = 0;
     double length = first_length;
     for (int round = 0; round < rounds && answers.front().error > as_good_as_met; ++round, length *= shorter) {
-        const std::vector<Rated> wanderers = best_apart(answers, most_wanderers);
-        std::vector<Rated> landed;
-        for (const Rated& from : wanderers) {
+        const std::vector<Rated> origins = best_apart(answers, most_origins);
+        std::vector<Rated> perturbed_ones;
+        for (const Rated& from : origins) {
             for (int i = 0; i < perturbations; ++i) {
-                landed.push_back(objective_.refined(objective_.rounded(perturbed(from.design, next++, length)),
-                                                    SearchDetail::table));
+                perturbed_ones.push_back(objective_.refined(objective_.rounded(perturbed(from.design, next++, length)),
+                                                            SearchDetail::table));
                 step();
             }
         }
-        std::stable_sort(landed.begin(), landed.end(), is_better);
-        landed.resize(std::min(landed.size(), 2 * wanderers.size()));
-        for (const Rated& place : landed) {
+        std::stable_sort(perturbed_ones.begin(), perturbed_ones.end(), is_better);
+        perturbed_ones.resize(std::min(perturbed_ones.size(), 2 * origins.size()));
+        for (const Rated& place : perturbed_ones) {
             answers.push_back(objective_.refined(place.design, SearchDetail::refinement));
             step();
         }

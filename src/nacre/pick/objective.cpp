@@ -136,7 +136,7 @@ Rated Objective::refined(const Design& start, SearchDetail detail) {
     return descended(coarse.design, shown_.sampling_for(mechanism, SearchDetail::report), last_steps);
 }
 
-Rated Objective::sharpened(const Design& start) {
+Rated Objective::refined_with_own_nodes(const Design& start) {
     constexpr double converged_de00 = 0.02;
     constexpr int most_times = 16;
     const Mechanism mechanism = mechanism_of(start);

@@ -49,7 +49,7 @@ public:
     Rated refined(const Design& start, SearchDetail detail);
     /// The same from a local minimum, with as many nodes as its spectra need, because coarse nodes miss narrow
     /// resonances.
-    Rated sharpened(const Design& start);
+    Rated refined_with_own_nodes(const Design& start);
     /// Everything that is reported of an answer, with the detail of a report.
     FoundMechanism judged(const Design& design);
 

@@ -60,7 +60,7 @@ std::string match_text(const PickedColour& picked) {
     return picked.is_searched ? error + advice(picked) : error;
 }
 
-std::string miss_text(const PickedColour& picked) {
+std::string unmatched_text(const PickedColour& picked) {
     if (picked.lobe) return match_text(picked);
     return (picked.is_searched ? "the best " + picked.mechanism + " found " : "this " + picked.mechanism + " ") +
            match_text(picked);

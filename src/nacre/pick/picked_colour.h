@@ -42,7 +42,7 @@ inline constexpr double met_de00 = 0.5;
 std::string match_text(const PickedColour& picked);
 
 /// For a pick that is not met: "the best film found misses by CIEDE2000 4.7, because ...", "is dimmed to ..."
-std::string miss_text(const PickedColour& picked);
+std::string unmatched_text(const PickedColour& picked);
 
 /// The colours of a material as the user wrote them, and what they became: "#3a6fd0 at 0 deg: exact; ...".
 std::string picked_text(const std::vector<PickedColour>& picked);

@@ -25,7 +25,7 @@ struct SamplingRule {
     int most_nodes;
     double nm_per_slice;  // of a crystal's planes
     int fewest_slices;
-    int realisations;  // of uneven layers
+    int samples;       // of uneven layers
     int nm_per_piece;  // of a grating's colour
 };
 constexpr SamplingRule rule_of(SearchDetail detail) {
@@ -80,7 +80,7 @@ SearchSampling ShownColours::sampling_for(const Mechanism& mechanism, SearchDeta
     if (!samples_spectra(mechanism)) return sampling;
     SpectralSampling& spectra = sampling.spectra;
     if (const auto* crystal = std::get_if<Crystal>(&mechanism)) spectra.slices = slices_of(*crystal, rule);
-    if (is_irregular(mechanism)) spectra.thickness_samples = rule.realisations;
+    if (is_irregular(mechanism)) spectra.thickness_samples = rule.samples;
     int count = 0;  // of nodes; 0: the scene's own
     if (!light_.settings.wavelengths) {
         const double wanted =

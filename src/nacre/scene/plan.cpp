@@ -7,7 +7,7 @@
 //    colour becomes a band, or a search for a film, stack, grating or crystal. The search needs the light, so it comes
 //    after step 1.
 // 3. Check what only the whole plan can say: keys that nobody read, files that two outputs would write, and picks that
-//    were missed.
+//    were unmatched.
 //
 // Each step returns its part (plan_tables.h); nothing is changed after it was returned. Mistakes are noted in the
 // scene's tables, reading goes on, and at the end throw_mistakes() reports them all. What a mistake leaves unknown is
@@ -121,8 +121,8 @@ void check_plan(const Table& scene, const Plan& plan, const PlanRequest& request
     scene.expect_all_read();
     attempt(scene, scene.where(), [&] { OutputNames().claim(plan); });
     if (!request.strict || !scene.is_good()) return;
-    for (const Mistake& missed : missed_pick_mistakes(plan, true))
-        scene.note(SceneError(missed.where, missed.text), missed.where);
+    for (const Mistake& unmatched : unmatched_pick_mistakes(plan, true))
+        scene.note(SceneError(unmatched.where, unmatched.text), unmatched.where);
 }
 
 }  // namespace

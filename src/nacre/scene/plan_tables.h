@@ -132,6 +132,6 @@ std::vector<std::string> warnings_of(const Plan& plan);
 
 /// The picked colours that their material does not show: those that were searched for, or, `if_given`, also those of
 /// materials whose numbers are all given.
-std::vector<Mistake> missed_pick_mistakes(const Plan& plan, bool if_given);
+std::vector<Mistake> unmatched_pick_mistakes(const Plan& plan, bool if_given);
 
 }  // namespace nacre

@@ -2,7 +2,7 @@
 #include <string>
 #include <vector>
 
-#include "nacre/pick/missed_picks.h"
+#include "nacre/pick/unmatched_picks.h"
 #include "nacre/scene/plan_tables.h"
 #include "nacre/scene/readers/mechanism_reader.h"
 
@@ -15,15 +15,15 @@ std::string place_of(const SceneMaterial& material) {
 
 }  // namespace
 
-std::vector<Mistake> missed_pick_mistakes(const Plan& plan, bool if_given) {
+std::vector<Mistake> unmatched_pick_mistakes(const Plan& plan, bool if_given) {
     std::vector<Mistake> mistakes;
     for (const SceneMaterial& material : plan.materials) {
-        for (const MissedPick& missed : missed_picks(material.picked)) {
-            const PickedColour& picked = missed.picked;
+        for (const UnmatchedPick& unmatched : unmatched_picks(material.picked)) {
+            const PickedColour& picked = unmatched.picked;
             if (!picked.is_searched && !if_given) continue;
             mistakes.push_back({picked.where, picked.where.text() + " [material." + material.name + "]: picks[" +
                                                   std::to_string(picked.pick) + "], " + picked.text + ": " +
-                                                  missed.text});
+                                                  unmatched.text});
         }
     }
     return mistakes;
@@ -32,7 +32,7 @@ std::vector<Mistake> missed_pick_mistakes(const Plan& plan, bool if_given) {
 std::vector<std::string> warnings_of(const Plan& plan) {
     // Of a material whose numbers are all given, who bakes it knows what it misses.
     std::vector<std::string> warnings;
-    for (const Mistake& missed : missed_pick_mistakes(plan, false)) warnings.push_back(missed.text);
+    for (const Mistake& unmatched : unmatched_pick_mistakes(plan, false)) warnings.push_back(unmatched.text);
     for (const SceneMaterial& material : plan.materials) {
         const std::string warning = mechanism_warning(material.mechanism, plan.light->settings);
         if (!warning.empty()) warnings.push_back(place_of(material) + warning);

@@ -26,9 +26,9 @@ Samples sample(const Mechanism& mechanism, const Incidence& incidence, double fr
     Samples samples;
     for (int i = 0; i <= steps; ++i)
         samples.nm.push_back(std::lerp(from_nm, to_nm, static_cast<double>(i) / static_cast<double>(steps)));
-    const std::vector<Response> responses = samples_spectra(mechanism)
-                                                ? LayeredSpectra(mechanism, samples.nm, band_realisations).at(incidence)
-                                                : responses_at(mechanism, incidence, samples.nm);
+    const std::vector<Response> responses =
+        samples_spectra(mechanism) ? LayeredSpectra(mechanism, samples.nm, band_thickness_samples).at(incidence)
+                                   : responses_at(mechanism, incidence, samples.nm);
     for (const Response& response : responses) samples.reflectance.push_back(response.reflectance());
     return samples;
 }

@@ -22,10 +22,10 @@ struct Band {
 /// A scan in steps of 1/256 of that wavelength, in which one band of a stack of fifty periods is a dozen steps wide,
 /// and then ever finer scans around its highest point. The solver is fast at many wavelengths at once; golden-section
 /// search needs one at a time, after the same scan. Accuracy: 0.01 nm of the peak, 1 % of the width. Irregular stacks
-/// are the mean of `band_realisations`: exact for those.
+/// are the mean of `band_thickness_samples`: exact for those.
 /// @param expected_nm  vacuum wavelength, > 0; the mechanism's materials are known at 0.6 to 1.6 times that
 std::optional<Band> find_band(const Mechanism& mechanism, const Incidence& incidence, double expected_nm);
 
-inline constexpr int band_realisations = 128;
+inline constexpr int band_thickness_samples = 128;
 
 }  // namespace nacre

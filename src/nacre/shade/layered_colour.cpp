@@ -72,25 +72,25 @@ bool is_irregular(const Mechanism& mechanism) {
     return thickness_spread_nm(mechanism) > 0.0;
 }
 
-LayerSystem even_system(const Mechanism& mechanism, std::span<const std::size_t> blurred, int slices) {
-    return std::move(layer_ensemble(mechanism, 1, blurred, slices).systems.front());
+LayerSystem even_system(const Mechanism& mechanism, std::span<const std::size_t> incoherent, int slices) {
+    return std::move(layer_ensemble(mechanism, 1, incoherent, slices).systems.front());
 }
 
-LayerEnsemble layer_ensemble(const Mechanism& mechanism, int realisations, std::span<const std::size_t> blurred,
+LayerEnsemble layer_ensemble(const Mechanism& mechanism, int samples, std::span<const std::size_t> incoherent,
                              int slices) {
     LayerSystem even = shading_of(mechanism).layers(mechanism, slices);
     // What lies below a thick layer is gone where those are left out.
-    for (const std::size_t node : blurred) {
+    for (const std::size_t node : incoherent) {
         if (node < even.nodes.size()) even.nodes[node].is_incoherent = true;
     }
     const double spread_nm = thickness_spread_nm(mechanism);
     LayerEnsemble ensemble;
-    if (spread_nm == 0.0 || realisations < 2) {
+    if (spread_nm == 0.0 || samples < 2) {
         ensemble = {{std::move(even)}, {1.0}};
     } else if (const auto* crystal = std::get_if<Crystal>(&mechanism)) {
-        ensemble = crystal_domains(*crystal, realisations, slices);
+        ensemble = crystal_domains(*crystal, samples, slices);
     } else {
-        ensemble = irregular_systems(even, spread_nm, realisations);
+        ensemble = irregular_systems(even, spread_nm, samples);
     }
     if (const MetalBase* metal = metal_base(mechanism.effects)) {
         for (LayerSystem& system : ensemble.systems) add_metal(*metal, system);
@@ -98,10 +98,10 @@ LayerEnsemble layer_ensemble(const Mechanism& mechanism, int realisations, std::
     return ensemble;
 }
 
-RealisationCounts realisation_counts(const Mechanism& mechanism) {
-    if (std::holds_alternative<Crystal>(mechanism)) return realisation_counts(1);
+ThicknessSampleCounts thickness_sample_counts(const Mechanism& mechanism) {
+    if (std::holds_alternative<Crystal>(mechanism)) return thickness_sample_counts(1);
     const LayerSystem uneven = layer_ensemble(mechanism, 2).systems.front();  // its repeats are written out
-    return realisation_counts(
+    return thickness_sample_counts(
         static_cast<std::size_t>(std::count_if(uneven.nodes.begin(), uneven.nodes.end(), [](const LayerNode& node) {
             return node.repeat == 0 && !node.is_incoherent;
         })));
@@ -233,9 +233,9 @@ std::uint64_t LayeredColour::samples(const Incidence& incidence) const {
     return static_cast<std::uint64_t>(sampling_.nodes[band_of(incidence)]->count) * ensemble_.systems.size();
 }
 
-LayeredSpectra::LayeredSpectra(const Mechanism& mechanism, std::span<const double> wavelengths_nm, int realisations)
+LayeredSpectra::LayeredSpectra(const Mechanism& mechanism, std::span<const double> wavelengths_nm, int samples)
     : count_(wavelengths_nm.size()) {
-    const LayerEnsemble ensemble = layer_ensemble(mechanism, realisations, {}, spectrum_slices);
+    const LayerEnsemble ensemble = layer_ensemble(mechanism, samples, {}, spectrum_slices);
     shares_ = ensemble.shares;
     for (const LayerSystem& system : ensemble.systems) solvers_.emplace_back(system, wavelengths_nm);
     const Base* base = diffuse_base(mechanism.effects);

@@ -15,21 +15,21 @@ namespace nacre {
 
 /// The layer system without random thicknesses. A metal base is part of it, below an incoherent layer of what was the
 /// substrate; any other base is not.
-/// @param blurred  nodes that are taken as incoherent
+/// @param incoherent  nodes that are taken as incoherent
 /// @param slices   per plane of a crystal
 /// @pre is_layered(mechanism)
-LayerSystem even_system(const Mechanism& mechanism, std::span<const std::size_t> blurred = {},
+LayerSystem even_system(const Mechanism& mechanism, std::span<const std::size_t> incoherent = {},
                         int slices = default_slices);
 
 /// The layer systems whose mean is the colour of the layers: one without random thicknesses, or many samples of them. A
 /// crystal's domains are regular, each with its own spacing.
-/// @param realisations  at most so many systems
+/// @param samples  at most so many systems
 /// @pre is_layered(mechanism)
-LayerEnsemble layer_ensemble(const Mechanism& mechanism, int realisations, std::span<const std::size_t> blurred = {},
+LayerEnsemble layer_ensemble(const Mechanism& mechanism, int samples, std::span<const std::size_t> incoherent = {},
                              int slices = default_slices);
 
-/// How many realisations are worth trying for an uneven mechanism. @pre is_layered(mechanism)
-RealisationCounts realisation_counts(const Mechanism& mechanism);
+/// How many samples are worth trying for an uneven mechanism. @pre is_layered(mechanism)
+ThicknessSampleCounts thickness_sample_counts(const Mechanism& mechanism);
 
 /// The factor by which the transmittance of the layers is multiplied to give the light that a diffuse base sends back
 /// through them. With rho the base's reflectance, r the layers' reflectance from below and t their transmittance, both
@@ -73,14 +73,14 @@ inline constexpr int spectrum_slices = 96;
 class LayeredSpectra {
 public:
     /// @pre is_layered(mechanism)
-    LayeredSpectra(const Mechanism& mechanism, std::span<const double> wavelengths_nm, int realisations);
+    LayeredSpectra(const Mechanism& mechanism, std::span<const double> wavelengths_nm, int samples);
 
     std::vector<Response> at(const Incidence& incidence) const;
 
 private:
     std::size_t count_;
     std::vector<double> shares_;             // of each solver
-    std::vector<MultilayerSolver> solvers_;  // one per realisation
+    std::vector<MultilayerSolver> solvers_;  // one per sample
     std::vector<double> base_factors_;       // none: no diffuse base
 };
 

@@ -53,7 +53,7 @@ PreparedColour prepare_layers(const Mechanism& mechanism, const SpectralSampling
 }
 
 std::vector<Response> layered_responses(const Mechanism& mechanism, const Geometry& geometry, Wavelengths nm) {
-    return LayeredSpectra(mechanism, nm, spectrum_realisations).at(geometry.incidence);
+    return LayeredSpectra(mechanism, nm, spectrum_thickness_samples).at(geometry.incidence);
 }
 
 LayerSystem film_layers(const Mechanism& mechanism, int) {

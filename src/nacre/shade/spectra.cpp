@@ -13,9 +13,9 @@ std::vector<Response> responses_at(const Mechanism& mechanism, const Geometry& g
     const double tilt_deg = mechanism.effects.tilt_deg;
     if (tilt_deg == 0.0) return shading_of(mechanism).responses(mechanism, geometry, wavelengths_nm);
     // Facet by facet: a spectrum is needed once, so no curve is prepared.
-    constexpr int realisations_of_facets = 256;
+    constexpr int thickness_samples_of_facets = 256;
     std::optional<LayeredSpectra> layers;
-    if (is_layered(mechanism)) layers.emplace(mechanism, wavelengths_nm, realisations_of_facets);
+    if (is_layered(mechanism)) layers.emplace(mechanism, wavelengths_nm, thickness_samples_of_facets);
     std::vector<Response> mean(wavelengths_nm.size());
     for (const Facet& facet : visible_facets(tilt_deg, geometry.incidence)) {
         const Incidence incidence = Incidence::from_cos(facet.cos_theta);

@@ -11,7 +11,7 @@ namespace nacre {
 struct Work {
     std::uint64_t exact_integrals = 0;  ///< lobes integrated in closed form
     std::uint64_t spectra = 0;          ///< spectra sampled at nodes
-    std::uint64_t samples = 0;          ///< reflectances of these: their nodes, of all realisations
+    std::uint64_t samples = 0;          ///< reflectances of these: their nodes, of all samples
     std::uint64_t texels = 0;           ///< of all LUTs that were computed, trials too
     std::uint64_t probes = 0;           ///< points at which a LUT's colour was compared with the model's
     std::uint64_t references = 0;       ///< points at which it was compared with the independent reference

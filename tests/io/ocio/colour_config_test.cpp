@@ -253,7 +253,7 @@ TEST(ThirdPartyConfigs, AConfigWithNothingButDataViewsHasNoSwatches) {
               "\"config.ocio (core-renderer-config-v1.1.0)\"; it has no view that converts colours");
 }
 
-TEST(Entrance, AcesRoleThatNamesAnotherSpaceIsFoundByASaturatedColour) {
+TEST(Interchange, AcesRoleThatNamesAnotherSpaceIsFoundByASaturatedColour) {
     EXPECT_EQ(message_of([] { opened("wrong_aces_role.ocio").to_colour_space("lin_rec709", where); }),
               "scene.toml:4: role \"aces_interchange\" (\"ACEScg\") of config \"wrong_aces_role.ocio (wrong)\" is "
               "wrong: it turns Rec.709 red into (0.692, 0.045, -0.002) in \"lin_rec709\", which should be (1.000, "
@@ -262,13 +262,13 @@ TEST(Entrance, AcesRoleThatNamesAnotherSpaceIsFoundByASaturatedColour) {
               "or name its scene-referred CIE XYZ D65 space as `interchange`");
 }
 
-TEST(Entrance, InterchangeOfTheSceneOverrulesAWrongRole) {
+TEST(Interchange, InterchangeOfTheSceneOverrulesAWrongRole) {
     const ColourTransform transform =
         opened("wrong_aces_role.ocio", "XYZ reference").to_colour_space("lin_rec709", where);
     expect_near(transform.to_rgb(exact_spaces[0].primaries[0]), {1, 0, 0}, 1e-13);
 }
 
-TEST(Entrance, RoleThatColoursWhiteIsRefusedForSpacesAndForViews) {
+TEST(Interchange, RoleThatColoursWhiteIsRefusedForSpacesAndForViews) {
     const std::string message =
         "scene.toml:4: role \"aces_interchange\" (\"Studio XYZ\") of config \"wrong_white.ocio (wrong)\" is wrong: "
         "with it, D65 white "
@@ -279,7 +279,7 @@ TEST(Entrance, RoleThatColoursWhiteIsRefusedForSpacesAndForViews) {
     EXPECT_EQ(message_of([] { opened("wrong_white.ocio").to_display("", "", where); }), message);
 }
 
-TEST(Entrance, RolesThatContradictEachOtherAreRefused) {
+TEST(Interchange, RolesThatContradictEachOtherAreRefused) {
     EXPECT_EQ(message_of([] { opened("contradicting_roles.ocio").to_colour_space("Studio AP1", where); }),
               "scene.toml:4: role \"aces_interchange\" (\"Studio AP1\") and role \"cie_xyz_d65_interchange\" (\"Screen "
               "XYZ\") of "
@@ -288,7 +288,7 @@ TEST(Entrance, RolesThatContradictEachOtherAreRefused) {
               "CIE XYZ D65 space as `interchange`");
 }
 
-TEST(Entrance, ConfigWithoutRolesNeedsAnInterchangeAndTakesIt) {
+TEST(Interchange, ConfigWithoutRolesNeedsAnInterchangeAndTakesIt) {
     EXPECT_EQ(message_of([] { opened("no_interchange.ocio").to_colour_space("Studio Linear", where); }),
               "scene.toml:4: config \"no_interchange.ocio (studio)\" has neither role \"aces_interchange\" nor role "
               "\"cie_xyz_d65_interchange\"; add one, or name its scene-referred CIE XYZ D65 space as `interchange`");
@@ -303,7 +303,7 @@ TEST(Entrance, ConfigWithoutRolesNeedsAnInterchangeAndTakesIt) {
     EXPECT_EQ(std::count(listed.begin(), listed.end(), "Studio Old"), 0);
 }
 
-TEST(Entrance, InterchangeThatIsNotXyzIsRefused) {
+TEST(Interchange, InterchangeThatIsNotXyzIsRefused) {
     EXPECT_EQ(message_of([] {
                   opened("no_interchange.ocio", "Studio Old").to_colour_space("Studio Linear", where);
               }).substr(0, 86),
@@ -318,7 +318,7 @@ TEST(Entrance, InterchangeThatIsNotXyzIsRefused) {
               "Studio Old");
 }
 
-TEST(Entrance, AToneMapOnTheOnlyRoadIsRefused) {
+TEST(Interchange, AToneMapOnTheOnlyRoadIsRefused) {
     EXPECT_EQ(message_of([] { opened("tone_map_between.ocio").to_colour_space("Studio Linear", where); }),
               "scene.toml:4: role \"cie_xyz_d65_interchange\" (\"Screen XYZ\") of config \"tone_map_between.ocio "
               "(studio)\" is "
@@ -328,7 +328,7 @@ TEST(Entrance, AToneMapOnTheOnlyRoadIsRefused) {
     expect_near(opened("tone_map_between.ocio").to_colour_space("Screen RGB", where).to_rgb(white()), {1, 1, 1}, 1e-6);
 }
 
-TEST(Entrance, WithBothRolesTheSceneIsEnteredOnItsOwnSide) {
+TEST(Interchange, WithBothRolesTheSceneIsEnteredOnItsOwnSide) {
     const ColourConfig config = opened("tone_map_and_both_roles.ocio");
     const ColourTransform scene = config.to_colour_space("Studio Linear", where);
     EXPECT_EQ(scene.interop_id(), "lin_rec709_scene");
@@ -341,7 +341,7 @@ TEST(Entrance, WithBothRolesTheSceneIsEnteredOnItsOwnSide) {
                 plain.to_rgb(Xyz{std::sqrt(grey.x), std::sqrt(grey.y), std::sqrt(grey.z)}), 1e-6);
 }
 
-TEST(Entrance, AScenesXyzIsPreferredToAcesBecauseItNeedsNoAdaptation) {
+TEST(Interchange, AScenesXyzIsPreferredToAcesBecauseItNeedsNoAdaptation) {
     const ColourTransform transform = opened("two_scene_roles.ocio").to_colour_space("Studio Linear", where);
     expect_near(transform.to_rgb(exact_spaces[0].primaries[0]), {1, 0, 0}, 1e-13);
 }

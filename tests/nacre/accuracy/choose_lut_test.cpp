@@ -81,7 +81,7 @@ void expect_the_cheapest(PlannedLut lut, const std::string& name) {
     const ChosenLut chosen = choose_lut(lut, encoding);
     const Choice choice = choice_of(chosen);
     ASSERT_TRUE(chosen.is_reached) << name << ' ' << bound;
-    EXPECT_TRUE(chosen.obstacle.empty());
+    EXPECT_TRUE(chosen.limiting_factor.empty());
     const double reached = error_of(lut, choice.width, choice.height, choice.format);
     EXPECT_LE(reached, bound) << name;
     EXPECT_NEAR(chosen.predicted.total, reached, 0.1 * bound) << name;
@@ -242,7 +242,7 @@ TEST(ChooseLut, ThatHalfCannotReachSaysWhatHalfCostsAndToUseFloat) {
     double storage = 0.0;
     for (std::size_t i = 0; i < meant.size(); ++i)
         storage = std::max(storage, test::shown_difference(stored.data()[i], meant.data()[i], test::shown_scale(job)));
-    EXPECT_EQ(chosen.obstacle, "half costs " + two_digits(storage) + ": use float");
+    EXPECT_EQ(chosen.limiting_factor, "half costs " + two_digits(storage) + ": use float");
     lut.request.format.reset();
     EXPECT_TRUE(choose_lut(lut, encoding).is_reached);
     EXPECT_EQ(choose_lut(lut, encoding).lut.format, single);
@@ -256,15 +256,15 @@ TEST(ChooseLut, ThatAFixedSizeCannotReachSaysWhatThatSizeCosts) {
     EXPECT_EQ(chosen.lut.job.width, 16);
     Job job = chosen.lut.job;
     const double interpolation = test::plain_largest_error(job, encoding.to_rgb(bake(job)), 400);
-    EXPECT_EQ(chosen.obstacle, "interpolation between 16 x 1 texels costs " + two_digits(interpolation) +
-                                   ": leave size out, or give a larger one");
+    EXPECT_EQ(chosen.limiting_factor, "interpolation between 16 x 1 texels costs " + two_digits(interpolation) +
+                                          ": leave size out, or give a larger one");
 
     PlannedLut plane = requested_lut(width_plane(), 0.5);
     plane.request.width = 8;
     plane.request.height = 4;
     const ChosenLut of_plane = choose_lut(plane, encoding);
     EXPECT_FALSE(of_plane.is_reached);
-    EXPECT_EQ(of_plane.obstacle.substr(0, 41), "interpolation between 8 x 4 texels costs ");
+    EXPECT_EQ(of_plane.limiting_factor.substr(0, 41), "interpolation between 8 x 4 texels costs ");
 }
 
 TEST(ChooseLut, ThatWavelengthsCannotReachSaysWhatTheyCost) {
@@ -278,7 +278,7 @@ TEST(ChooseLut, ThatWavelengthsCannotReachSaysWhatTheyCost) {
         spectrum = std::max(spectrum, test::shown_difference(exact_xyz(lut.job, i / 64.0), exact_xyz(exact, i / 64.0),
                                                              test::shown_scale(exact)));
     }
-    EXPECT_EQ(chosen.obstacle, "20 wavelengths cost " + two_digits(spectrum) + ": leave wavelengths out");
+    EXPECT_EQ(chosen.limiting_factor, "20 wavelengths cost " + two_digits(spectrum) + ": leave wavelengths out");
     EXPECT_GT(chosen.work.spectra, 0U);
 
     // A scene that requests its wavelengths is judged by what the LUT adds to them.
@@ -295,9 +295,9 @@ TEST(ChooseLut, ThatNoSizeReachesSaysThatThereIsNone) {
     EXPECT_FALSE(chosen.is_reached);
     EXPECT_EQ(chosen.lut.job.width, 4096) << "the best there is";
     EXPECT_EQ(chosen.lut.format, single);
-    EXPECT_EQ(chosen.obstacle, "interpolation between 4096 x 1 texels costs " +
-                                   two_digits(chosen.predicted.interpolation) +
-                                   ", and 4096 texels are the most that nacre tries: give a larger bound");
+    EXPECT_EQ(chosen.limiting_factor, "interpolation between 4096 x 1 texels costs " +
+                                          two_digits(chosen.predicted.interpolation) +
+                                          ", and 4096 texels are the most that nacre tries: give a larger bound");
 }
 
 TEST(ChooseLut, WithoutAWayBackToXyzRefusesABoundAndElseTakesDefaults) {

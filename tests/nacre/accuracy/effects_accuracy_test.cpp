@@ -85,7 +85,7 @@ const std::vector<ModelScene>& scenes() {
 }
 
 // Made once.
-const ChosenLut& settled_scene(std::size_t i) {
+const ChosenLut& chosen_scene(std::size_t i) {
     static const Encoding encoding = rec709_encoding();
     static std::map<std::size_t, ChosenLut> known;
     const auto found = known.find(i);
@@ -205,7 +205,7 @@ void print(const char* what, const Dropped& tally) {
 TEST(EffectsLeftOut, NeverCostMoreThanTheirShareIn300Scenes) {
     Dropped tally;
     for (std::size_t i = 0; i < scenes().size(); ++i) {
-        const ChosenLut& chosen = settled_scene(i);
+        const ChosenLut& chosen = chosen_scene(i);
         expect_shares_kept(
             scenes()[i], chosen, [&](const EffectSet& without) { return program_colours(chosen.lut.job, without); },
             tally);
@@ -219,7 +219,7 @@ TEST(EffectsLeftOut, NeverCostMoreThanTheirShareIn300Scenes) {
 TEST(EffectsLeftOut, NeverCostMoreThanTheirShareByAModelOfItsOwn) {
     Dropped tally;
     for (std::size_t i = 0; i < scenes().size(); i += stride_of_this_run()) {
-        const ChosenLut& chosen = settled_scene(i);
+        const ChosenLut& chosen = chosen_scene(i);
         if (chosen.lut.job.without.is_empty()) continue;
         const double first_nm = chosen.lut.job.light->settings.first_nm;
         expect_shares_kept(
@@ -422,7 +422,7 @@ INSTANTIATE_TEST_SUITE_P(Effects, Budgets,
 TEST(EffectsAccuracyContract, NoFetchIsFartherFromTheModelThanWasAsked) {
     Judged tally;
     for (std::size_t i = 1; i < scenes().size(); i += stride_of_this_run())
-        expect_bound_kept(scenes()[i], settled_scene(i), is_sweep("1") ? 64 : 24, tally);
+        expect_bound_kept(scenes()[i], chosen_scene(i), is_sweep("1") ? 64 : 24, tally);
     print("random scenes", tally);
 }
 

@@ -228,16 +228,16 @@ void expect_coordinates(std::vector<double> found, std::vector<double> expected)
     for (std::size_t i = 0; i < found.size(); ++i) EXPECT_NEAR(found[i], expected[i], 1e-12);
 }
 
-TEST(Landmarks, ArePicksAndTheBeginningOfClampingOnTheAxis) {
+TEST(Breakpoints, ArePicksAndTheBeginningOfClampingOnTheAxis) {
     // The beetle: picks at 10 and 60 degrees, clamped beyond 60.
     const double cos_10 = std::cos(10.0 * std::numbers::pi / 180.0);
     const Job job = test::job_of(test::beetle);
-    expect_coordinates(landmarks(job, 0.0), {std::sqrt(cos_10), std::sqrt(0.5), std::sqrt(0.5)});
-    expect_coordinates(landmarks(on_axis(job, "cos_theta"), 0.0), {cos_10, 0.5, 0.5});
-    expect_coordinates(landmarks(on_axis(job, "theta_deg"), 0.0), {10.0 / 90.0, 60.0 / 90.0, 60.0 / 90.0});
+    expect_coordinates(breakpoints(job, 0.0), {std::sqrt(cos_10), std::sqrt(0.5), std::sqrt(0.5)});
+    expect_coordinates(breakpoints(on_axis(job, "cos_theta"), 0.0), {cos_10, 0.5, 0.5});
+    expect_coordinates(breakpoints(on_axis(job, "theta_deg"), 0.0), {10.0 / 90.0, 60.0 / 90.0, 60.0 / 90.0});
 }
 
-TEST(Landmarks, MoveWithTheSecondAxis) {
+TEST(Breakpoints, MoveWithTheSecondAxis) {
     // Height 0.73 at 10 degrees and h at 60; with p = 0, Y is the cosine, and the line through both meets 1 at
     // cos 10 + (1 - 0.73) / (h - 0.73) * (1/2 - cos 10).
     Palette palette = test::beetle;
@@ -247,14 +247,14 @@ TEST(Landmarks, MoveWithTheSecondAxis) {
     const double cos_10 = std::cos(10.0 * std::numbers::pi / 180.0);
     for (const double y : {0.9, 1.0}) {
         const double h = 0.7 + 0.3 * y;
-        expect_coordinates(landmarks(job, y), {cos_10, 0.5, cos_10 + 0.27 / (h - 0.73) * (0.5 - cos_10)});
+        expect_coordinates(breakpoints(job, y), {cos_10, 0.5, cos_10 + 0.27 / (h - 0.73) * (0.5 - cos_10)});
     }
-    expect_coordinates(landmarks(job, 0.0), {cos_10, 0.5});
+    expect_coordinates(breakpoints(job, 0.0), {cos_10, 0.5});
 }
 
-TEST(Landmarks, AreNotOnAnAxisOfTheMaterial) {
+TEST(Breakpoints, AreNotOnAnAxisOfTheMaterial) {
     EXPECT_TRUE(
-        landmarks(test::job_over(test::beetle, parameter_axis(test::beetle, "height", 0.0, 1.0), 70.0), 0.0).empty());
+        breakpoints(test::job_over(test::beetle, parameter_axis(test::beetle, "height", 0.0, 1.0), 70.0), 0.0).empty());
 }
 
 }  // namespace

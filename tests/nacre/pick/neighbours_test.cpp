@@ -124,7 +124,7 @@ TEST(Objective, SharpensWithTheNodesThatAnAnswerWants) {
     const Design design = design_of(search, {1.0, 390.0, 2.4, 380.0});
     const double shown = objective.judged(design).error;
     const double coarse = objective.rated(design, SearchDetail::refinement).error;
-    const double sharp = objective.sharpened(design).error;
+    const double sharp = objective.refined_with_own_nodes(design).error;
     EXPECT_LE(std::abs(sharp - shown), 0.02);
     EXPECT_GT(std::abs(coarse - shown), 2.0 * std::abs(sharp - shown));
 }

@@ -8,12 +8,12 @@
 namespace nacre {
 
 /// One pick that is not met, and its message.
-struct MissedPick {
+struct UnmatchedPick {
     PickedColour picked;
-    std::string text;  ///< miss_text(); if it represents others, with their number
+    std::string text;  ///< unmatched_text(); if it represents others, with their number
 };
 
 /// The picks that are not met: all of them or, if there are many, only the worst one with the number of the others.
-std::vector<MissedPick> missed_picks(const std::vector<PickedColour>& picks);
+std::vector<UnmatchedPick> unmatched_picks(const std::vector<PickedColour>& picks);
 
 }  // namespace nacre

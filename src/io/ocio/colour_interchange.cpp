@@ -1,4 +1,4 @@
-#include "io/ocio/colour_entrance.h"
+#include "io/ocio/colour_interchange.h"
 
 #include <algorithm>
 #include <array>
@@ -21,7 +21,7 @@ constexpr const char* role_ap0 = "aces_interchange";
 
 // Between a correct config and a wrong one. Correct ones differ from ours by about 1e-14 if they adapt ACES white by
 // Bradford, and by 0.0036 if by CAT02; AP1 taken for AP0 differs by 0.31 (all measured over the probes).
-constexpr double entrance_tolerance = 0.01;
+constexpr double interchange_tolerance = 0.01;
 constexpr double neutral_tolerance = 1e-3;
 
 std::string advice() {
@@ -36,31 +36,31 @@ std::string numbers(const Rgb& colour) {
     return text.data();
 }
 
-std::optional<Entrance> by_role(const OpenedConfig& opened, const char* role, const std::string& where) {
+std::optional<Interchange> by_role(const OpenedConfig& opened, const char* role, const std::string& where) {
     if (!opened.config->hasRole(role)) return std::nullopt;
     const auto space = opened.config->getColorSpace(role);
     if (!space || space->isData()) {
         throw Error(where + ": role " + in_quotes(role) + " of config " + in_quotes(opened.description) +
                     " names no colour space" + advice());
     }
-    Entrance entrance;
-    entrance.space = space->getName();
-    entrance.how = "role " + in_quotes(role) + " (" + in_quotes(space->getName()) + ")";
-    entrance.takes_ap0 = std::string_view(role) == role_ap0;
-    return entrance;
+    Interchange interchange;
+    interchange.space = space->getName();
+    interchange.how = "role " + in_quotes(role) + " (" + in_quotes(space->getName()) + ")";
+    interchange.takes_ap0 = std::string_view(role) == role_ap0;
+    return interchange;
 }
 
-Entrance by_name(const OpenedConfig& opened, const std::string& where) {
+Interchange by_name(const OpenedConfig& opened, const std::string& where) {
     const auto space = opened.config->getColorSpace(opened.interchange.c_str());
     if (!space) throw_unknown_space(opened, opened.interchange, where);
     if (space->isData()) {
         throw Error(where + ": interchange " + in_quotes(opened.interchange) + " is a data space of config " +
                     in_quotes(opened.description) + "; it must be CIE XYZ D65");
     }
-    Entrance entrance;
-    entrance.space = space->getName();
-    entrance.how = "interchange " + in_quotes(space->getName());
-    return entrance;
+    Interchange interchange;
+    interchange.space = space->getName();
+    interchange.how = "interchange " + in_quotes(space->getName());
+    return interchange;
 }
 
 OCIO::ReferenceSpaceType side_of(const OpenedConfig& opened, const std::string& space) {
@@ -68,7 +68,7 @@ OCIO::ReferenceSpaceType side_of(const OpenedConfig& opened, const std::string& 
 }
 
 // The order of preference. Of the two roles the one on the target's own side, if there is one.
-Entrance choose_entrance(const OpenedConfig& opened, OCIO::ReferenceSpaceType side, const std::string& where) {
+Interchange choose_interchange(const OpenedConfig& opened, OCIO::ReferenceSpaceType side, const std::string& where) {
     if (!opened.interchange.empty()) return by_name(opened, where);
     const auto xyz = by_role(opened, role_xyz, where);
     if (xyz && side_of(opened, xyz->space) == side) return *xyz;
@@ -95,11 +95,11 @@ bool default_view_is_matrix(const OCIO::ConstConfigRcPtr& config) {
     }
 }
 
-void check_crossing(const OpenedConfig& opened, const Entrance& entrance, OCIO::ReferenceSpaceType side,
+void check_crossing(const OpenedConfig& opened, const Interchange& interchange, OCIO::ReferenceSpaceType side,
                     const std::string& where) {
-    if (side_of(opened, entrance.space) == side || default_view_is_matrix(opened.config)) return;
+    if (side_of(opened, interchange.space) == side || default_view_is_matrix(opened.config)) return;
     const bool to_scene = side == OCIO::REFERENCE_SPACE_SCENE;
-    throw Error(where + ": " + entrance.how + " of config " + in_quotes(opened.description) + " is " +
+    throw Error(where + ": " + interchange.how + " of config " + in_quotes(opened.description) + " is " +
                 (to_scene ? "display" : "scene") +
                 "-referred, the target is not, and the default view transform between is " + "more than a matrix" +
                 (to_scene
@@ -115,29 +115,30 @@ OCIO::ConstColorSpaceRcPtr comparable_space(const OpenedConfig& opened, const st
     return space && !space->isData() && space->getReferenceSpaceType() == side ? space : nullptr;
 }
 
-std::optional<Image<Rgb>> probes_in(const OpenedConfig& opened, const Entrance& entrance, const std::string& space) {
+std::optional<Image<Rgb>> probes_in(const OpenedConfig& opened, const Interchange& interchange,
+                                    const std::string& space) {
     try {
-        return convert(make_conversion(opened.config, road_to_space(entrance, space)), probe_colours(), space);
+        return convert(make_conversion(opened.config, path_to_space(interchange, space)), probe_colours(), space);
     } catch (const OCIO::Exception&) {
         return std::nullopt;  // broken (for example a missing table), and not requested by the user
     }
 }
 
 // How many of the spaces that both configs name alike were compared.
-int compare_known_spaces(const OpenedConfig& opened, const Entrance& entrance, const std::string& where) {
+int compare_known_spaces(const OpenedConfig& opened, const Interchange& interchange, const std::string& where) {
     int compared = 0;
     for (const KnownSpace& known : known_spaces()) {
         // Encoded scene spaces are left out: a config may define "sRGB - Texture" differently.
-        const bool display = entrance.leads_to == OCIO::REFERENCE_SPACE_DISPLAY;
-        if (known.side != entrance.leads_to || !(known.linear || display)) continue;
+        const bool display = interchange.leads_to == OCIO::REFERENCE_SPACE_DISPLAY;
+        if (known.side != interchange.leads_to || !(known.linear || display)) continue;
         for (const std::string& name : known.names) {
             const auto theirs = comparable_space(opened, name, known.side);
             if (!theirs) continue;
-            const std::optional<Image<Rgb>> probes = probes_in(opened, entrance, theirs->getName());
+            const std::optional<Image<Rgb>> probes = probes_in(opened, interchange, theirs->getName());
             if (!probes) continue;
             ++compared;
-            if (largest_difference(*probes, known.probes) <= entrance_tolerance) continue;
-            throw Error(where + ": " + entrance.how + " of config " + in_quotes(opened.description) +
+            if (largest_difference(*probes, known.probes) <= interchange_tolerance) continue;
+            throw Error(where + ": " + interchange.how + " of config " + in_quotes(opened.description) +
                         " is wrong: it turns Rec.709 red into " + numbers(probes->at(0, 0)) + " in " +
                         in_quotes(theirs->getName()) + ", which should be " + numbers(known.probes.at(0, 0)) +
                         advice());
@@ -151,7 +152,7 @@ void compare_roles(const OpenedConfig& opened, const std::string& where) {
     const auto ap0 = by_role(opened, role_ap0, where);
     const auto xyz = by_role(opened, role_xyz, where);
     if (!ap0 || !xyz) return;
-    const Conversion around = make_conversion(opened.config, road_to_space(*ap0, xyz->space));
+    const Conversion around = make_conversion(opened.config, path_to_space(*ap0, xyz->space));
     if (!around.matrix) return;  // a tone map between them: nothing to compare
     const Image<Rgb> result = convert(around, probe_colours(), xyz->space);
     const double scale = result.at(static_cast<int>(first_neutral_probe), 0).g;
@@ -159,45 +160,45 @@ void compare_roles(const OpenedConfig& opened, const std::string& where) {
     std::transform(probe_colours().begin(), probe_colours().end(), expected.begin(), [&](const Xyz& c) {
         return Rgb{scale * c.x, scale * c.y, scale * c.z};
     });
-    if (largest_difference(result, expected) <= entrance_tolerance * std::abs(scale)) return;
+    if (largest_difference(result, expected) <= interchange_tolerance * std::abs(scale)) return;
     throw Error(where + ": " + ap0->how + " and " + xyz->how + " of config " + in_quotes(opened.description) +
                 " contradict each other" + advice());
 }
 
 }  // namespace
 
-Entrance find_entrance(const OpenedConfig& opened, OCIO::ReferenceSpaceType side, const std::string& where) {
-    Entrance entrance = choose_entrance(opened, side, where);
-    entrance.leads_to = side;
-    check_crossing(opened, entrance, side, where);
-    entrance.confirmed = compare_known_spaces(opened, entrance, where) > 0;
-    if (!entrance.confirmed && opened.interchange.empty()) compare_roles(opened, where);
-    return entrance;
+Interchange find_interchange(const OpenedConfig& opened, OCIO::ReferenceSpaceType side, const std::string& where) {
+    Interchange interchange = choose_interchange(opened, side, where);
+    interchange.leads_to = side;
+    check_crossing(opened, interchange, side, where);
+    interchange.confirmed = compare_known_spaces(opened, interchange, where) > 0;
+    if (!interchange.confirmed && opened.interchange.empty()) compare_roles(opened, where);
+    return interchange;
 }
 
-OCIO::GroupTransformRcPtr road_through(const Entrance& entrance, const OCIO::TransformRcPtr& last) {
-    auto road = OCIO::GroupTransform::Create();
-    if (entrance.takes_ap0) {
+OCIO::GroupTransformRcPtr path_through(const Interchange& interchange, const OCIO::TransformRcPtr& last) {
+    auto path = OCIO::GroupTransform::Create();
+    if (interchange.takes_ap0) {
         static const glm::dmat3 xyz_to_ap0 = [] {
             auto ours = OCIO::ColorSpaceTransform::Create();
             ours->setSrc("lin_ciexyzd65_scene");
             ours->setDst("lin_ap0");
             return make_conversion(builtin_config(), ours).matrix.value();
         }();
-        road->appendTransform(matrix_transform(xyz_to_ap0));
+        path->appendTransform(matrix_transform(xyz_to_ap0));
     }
-    road->appendTransform(last);
-    return road;
+    path->appendTransform(last);
+    return path;
 }
 
-OCIO::GroupTransformRcPtr road_to_space(const Entrance& entrance, const std::string& space) {
+OCIO::GroupTransformRcPtr path_to_space(const Interchange& interchange, const std::string& space) {
     auto last = OCIO::ColorSpaceTransform::Create();
-    last->setSrc(entrance.space.c_str());
+    last->setSrc(interchange.space.c_str());
     last->setDst(space.c_str());
-    return road_through(entrance, last);
+    return path_through(interchange, last);
 }
 
-void check_neutral(const OpenedConfig& opened, const Entrance& entrance, const Conversion& conversion,
+void check_neutral(const OpenedConfig& opened, const Interchange& interchange, const Conversion& conversion,
                    const std::string& space, const std::string& where) {
     const Image<Rgb> probes = convert(conversion, probe_colours(), space);
     for (int i = static_cast<int>(first_neutral_probe); i < probes.width(); ++i) {
@@ -207,12 +208,12 @@ void check_neutral(const OpenedConfig& opened, const Entrance& entrance, const C
         if (high - low <= neutral_tolerance * std::max(1.0, std::abs(high))) continue;
         const std::string what = "D65 white becomes " + numbers(probes.at(static_cast<int>(first_neutral_probe), 0)) +
                                  " in " + in_quotes(space);
-        // The entrance is beyond doubt once a well-known space behind it is right: then it is the target.
-        if (entrance.confirmed) {
+        // The interchange is beyond doubt once a well-known space behind it is right: then it is the target.
+        if (interchange.confirmed) {
             throw Error(where + ": " + what + " of config " + in_quotes(opened.description) +
                         "; the space must keep white neutral");
         }
-        throw Error(where + ": " + entrance.how + " of config " + in_quotes(opened.description) +
+        throw Error(where + ": " + interchange.how + " of config " + in_quotes(opened.description) +
                     " is wrong: with it, " + what + advice());
     }
 }

@@ -376,11 +376,11 @@ TEST(ChooseLut, TakesNoMoreEvaluationsThanItDid) {
         return work;
     };
     EXPECT_EQ(test::without_effects(choose_lut(requested_lut(test::job_of(test::morpho), 0.1), encoding).work),
-              work_of(14189, 2109, 12080));
+              work_of(11954, 2109, 9845));
     EXPECT_EQ(test::without_effects(choose_lut(requested_lut(test::job_of(test::beetle), 0.01), encoding).work),
-              work_of(10882, 1341, 9541));
+              work_of(9298, 1341, 7957));
     EXPECT_EQ(test::without_effects(choose_lut(requested_lut(width_plane(), 1.0), encoding).work),
-              work_of(125574, 7523, 118051));
+              work_of(122609, 7523, 115086));
 }
 
 }  // namespace

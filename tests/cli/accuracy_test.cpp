@@ -168,12 +168,13 @@ TEST(Plan, IsATableOfWhatWillBeBakedAndWritesNothing) {
     const ProgramResult result = run(folder, {"plan", "s.toml", "--accuracy", "0.5"});
     ASSERT_EQ(result.exit_code, 0) << result.err;
     std::istringstream lines(result.out);
-    std::string heading, one, two, line, note;
+    std::string heading, one, two, line;
     std::getline(lines, heading);
     std::getline(lines, one);
     std::getline(lines, two);
     std::vector<std::string> absent;
     std::vector<std::string> errors;
+    std::vector<std::string> notes;
     while (std::getline(lines, line)) {
         // Notes of clamped picks are prose, which may wrap anywhere.
         EXPECT_TRUE(line.size() <= 100 || line.starts_with("morpho: ")) << "does not fit a terminal: " << line;
@@ -182,7 +183,8 @@ TEST(Plan, IsATableOfWhatWillBeBakedAndWritesNothing) {
         else if (line.starts_with("    ") && !absent.empty())
             absent.back() += line.substr(3);
         if (line.starts_with("errors of ")) errors.push_back(line);
-        note = line;
+        if (line.empty()) notes.clear();
+        if (!line.empty()) notes.push_back(line);
     }
     for (const char* word : {"LUT", "axes", "texels", "format", "integral", "expected dE00", "bake time"})
         EXPECT_NE(heading.find(word), std::string::npos) << word;
@@ -196,7 +198,9 @@ TEST(Plan, IsATableOfWhatWillBeBakedAndWritesNothing) {
         ": dispersion, absorption, polarisation, incoherent_layers, thickness_spread, base, tilt, higher_orders, "
         "size_spread";
     EXPECT_EQ(absent, (std::vector<std::string>{"effects not in one" + every, "effects not in two" + every}));
-    EXPECT_EQ(note, "morpho: clamped above 85 deg, where its picks lead to a number outside its range");
+    EXPECT_EQ(notes, (std::vector<std::string>{
+                         "morpho: clamped above 85 deg, where its picks lead to a number outside its range",
+                         "one.preview.png: preview", "two.preview.png: preview"}));
     EXPECT_EQ(folder.names(), std::vector<std::string>{"s.toml"});
 }
 

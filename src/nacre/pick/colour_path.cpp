@@ -9,7 +9,7 @@
 namespace nacre {
 namespace {
 
-constexpr std::size_t most_named = 4;     // hues; more are no way but a rainbow
+constexpr std::size_t most_named = 4;  // hues; more are no way but a rainbow
 constexpr double little_chroma = 0.4;  // chosen: below this share a strip looks grey
 
 void add_hue(std::vector<std::string>& hues, std::string_view hue) {

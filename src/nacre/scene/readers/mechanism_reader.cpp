@@ -84,8 +84,8 @@ ReadMechanism read_mechanism(const Table& table, const SceneContext& context) {
         return find_mechanism(table, context, std::move(search));
     }
     if (!takes_picks(reader) && has_picks(table)) {
-        table.fail_at("picks",
-                      "picks have no meaning for mechanism " + name + "; allowed for " + comma_separated(mechanisms_with_picks()));
+        table.fail_at("picks", "picks have no meaning for mechanism " + name + "; allowed for " +
+                                   comma_separated(mechanisms_with_picks()));
     }
     ReadMechanism read = reader.read(table, context);
     read.mechanism.effects = read_effects(table, read.mechanism, context);

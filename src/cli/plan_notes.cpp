@@ -12,6 +12,7 @@
 #include "nacre/material/mechanism.h"
 #include "nacre/pick/band/pale_path.h"
 #include "nacre/pick/picked_colour.h"
+#include "nacre/scene/output_names.h"
 #include "nacre/scene/planned_swatch.h"
 
 namespace nacre {

@@ -79,7 +79,7 @@ SpectralSampling much_finer(const Job& job, int count) {
 }
 
 TEST(FringeCount, IsTwiceThePathTimesTheRangeOfWavenumbers) {
-    const LightSettings& light = light_of()->settings;
+    const LightSettings light = light_of()->settings;
     const double range = 1.0 / 360.0 - 1.0 / 830.0;
     EXPECT_NEAR(fringe_count(film_of(1000.0), light), 2.0 * 1500.0 * range, 1e-12);
     EXPECT_NEAR(fringe_count(mirror(7), light), 2.0 * 7.0 * (2.3 * 60.0 + 1.38 * 100.0) * range, 1e-12);

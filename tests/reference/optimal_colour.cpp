@@ -97,8 +97,8 @@ double OptimalColours::brightest_share(const Triple& colour) const {
     first = times(1.0 / std::sqrt(dot(first, first)), first);
     const Triple second = cross(along, first);
 
-    // In units of 1 / length. Next to the spectral locus n becomes long.
-    constexpr double far = 1e6;
+    // In units of 1 / length. Next to the spectral locus n becomes long: 4e6 was seen.
+    constexpr double far = 1e9;
     constexpr int most_cuts = 400;
     constexpr double tolerance = 1e-7;
     Polygon polygon{{-far, -far}, {far, -far}, {far, far}, {-far, far}};

@@ -3,7 +3,7 @@
 // What lies above `low` has to have the rest of the colour: a unit band, dimmed. A table says which half cosines have
 // the rest's chromaticity (there may be several), and Newton's method ends the search. Where all are too dark, the
 // plateau grows until one is bright enough: three equations, of XYZ, for peak, width and flatness. It starts between
-// the half cosine and the flattest band of the chromaticity, which a second table leads to.
+// the half cosine and the flattest band of the chromaticity, which is where the solid of all colours ends.
 #include "nacre/pick/band/exact_bands.h"
 
 #include <algorithm>
@@ -11,16 +11,19 @@
 #include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
 #include <glm/vec3.hpp>
+#include <limits>
 #include <numbers>
+
+#include "nacre/colour/adaptation.h"
+#include "nacre/colour/difference.h"
+#include "nacre/colour/xyz_sums.h"
 
 namespace nacre {
 namespace {
 
-// Grids of the tables, chosen so that Newton's method starts near enough (tests/nacre/pick/band/exact_bands_test.cpp).
+// Grid of the tables, chosen so that Newton's method starts near enough (tests/nacre/pick/band/exact_bands_test.cpp).
 constexpr std::size_t peaks = 96;
 constexpr std::size_t spreads = 40;
-constexpr std::size_t box_places = 64;
-constexpr std::size_t box_lengths = 40;
 
 // Newton's method. Columns of its matrix are per 100 nm, per unit of spread and per unit of flatness.
 constexpr int most_steps = 12;
@@ -29,6 +32,7 @@ constexpr double difference = 1e-4;    // of the units above, for slopes
 constexpr double longest_step = 0.15;  // in the same units
 constexpr double exact_enough = 1e-9;  // of u' + v', and of XYZ relative to the colour's own Y
 constexpr double nearly_exact = 1e-6;  // of the same: CIEDE2000 0.003 at most, where the spectrum's ends count little
+constexpr double invisible_de00 = 0.008;  // chosen: of a band from a colour in a dent of the spectral locus
 constexpr double hardly_too_dark = 0.1;
 constexpr double rounding = 2e-5;  // by which a level may exceed 1, before it is made 1
 constexpr double damping = 1e-10;  // of the normal equations, where a number makes no difference
@@ -97,39 +101,6 @@ bool newton(const Light& light, int free, const Residual& residual, UnitBand& ba
     return error < nearly_exact;
 }
 
-std::vector<double> make_edges_nm(const TristimulusWeights& weights) {
-    constexpr int count = 256;
-    std::vector<double> edges;
-    const double whole = weights.white.x + weights.white.y + weights.white.z;
-    const auto reached = [&](int cell) {  // half by power, half by wavelength
-        const Xyz& c = weights.cumulative[static_cast<std::size_t>(cell)];
-        return 0.5 * (c.x + c.y + c.z) / whole + 0.5 * cell / (weights.count() - 1.0);
-    };
-    int cell = 0;
-    for (int i = 0; i <= count; ++i) {
-        const double wanted = static_cast<double>(i) / count;
-        while (cell + 2 < weights.count() && reached(cell + 1) < wanted) ++cell;
-        const double t = (wanted - reached(cell)) / (reached(cell + 1) - reached(cell));
-        edges.push_back(weights.first_nm + cell + std::clamp(t, 0.0, 1.0));
-    }
-    return edges;
-}
-
-double edge_nm(const std::vector<double>& edges, double t) {
-    const double position = t * static_cast<double>(edges.size() - 1);
-    const auto i = std::min(static_cast<std::size_t>(position), edges.size() - 2);
-    return std::lerp(edges[i], edges[i + 1], position - static_cast<double>(i));
-}
-
-struct Box {
-    double from_nm, to_nm;
-};
-Box box_at(const std::vector<double>& edges, const ChromaticityTable::Place& place) {
-    const double length = std::max(place.q * place.q, 1e-4);
-    const double from = place.p * (1.0 - length);
-    return {edge_nm(edges, from), edge_nm(edges, from + length)};
-}
-
 UnitBand half_cosine_at(const Light& light, const ChromaticityTable::Place& place) {
     const double first_nm = light.weights.first_nm;
     const double last_nm = light.weights.last_nm;
@@ -140,18 +111,6 @@ ChromaticityTable half_cosine_table(const Light& light, BandKind kind) {
     return {peaks, spreads, [&](const ChromaticityTable::Place& place) {
                 return unit_band_to_xyz(light, kind, half_cosine_at(light, place));
             }};
-}
-
-Xyz box_to_xyz(const Light& light, BandKind kind, const Box& box) {
-    const Xyz up = plateau_to_xyz(light.weights, box.from_nm, box.to_nm);
-    if (kind == BandKind::band) return up;
-    const Xyz& white = light.weights.white;
-    return {white.x - up.x, white.y - up.y, white.z - up.z};
-}
-
-ChromaticityTable box_table(const Light& light, BandKind kind, const std::vector<double>& edges) {
-    return {box_places, box_lengths,
-            [&](const ChromaticityTable::Place& place) { return box_to_xyz(light, kind, box_at(edges, place)); }};
 }
 
 std::size_t index_of(BandKind kind) {
@@ -166,17 +125,14 @@ bool has_chromaticity(const Xyz& colour) {
 
 ExactBands::ExactBands(const Light& light)
     : light_(light),
-      edges_nm_(make_edges_nm(light.weights)),
-      half_cosines_{half_cosine_table(light, BandKind::band), half_cosine_table(light, BandKind::notch)},
-      boxes_{box_table(light, BandKind::band, edges_nm_), box_table(light, BandKind::notch, edges_nm_)} {}
+      solid_(light.weights),
+      half_cosines_{half_cosine_table(light, BandKind::band), half_cosine_table(light, BandKind::notch)} {}
 
-// @param colour_at  of a unit band
-template <typename ColourAt>
-bool ExactBands::solve_chromaticity(Uv target, const ColourAt& colour_at, UnitBand& band) const {
+bool ExactBands::solve_chromaticity(BandKind kind, Uv target, UnitBand& band) const {
     return newton(
         light_, 2,
         [&](const UnitBand& b) -> glm::dvec3 {
-            const Uv uv = uv_of(colour_at(b));
+            const Uv uv = uv_of(colour_of(kind, b));
             return {uv.u - target.u, uv.v - target.v, 0.0};
         },
         band);
@@ -193,50 +149,71 @@ bool ExactBands::solve_colour(BandKind kind, const Xyz& target, UnitBand& band) 
 }
 
 // Newton's method from every start. Triangles overlap by their slack: a start beside a root leads to it.
-template <typename BandAt, typename ColourAt>
-ExactBands::Roots ExactBands::roots_from(const ChromaticityTable& table, const Xyz& target, const BandAt& band_at,
-                                         const ColourAt& colour_at) const {
+ExactBands::Roots ExactBands::half_cosine_roots(BandKind kind, const Xyz& target) const {
     Roots roots;
     const Uv uv = uv_of(target);
-    for (const ChromaticityTable::Place& start : table.starts(uv)) {
-        UnitBand band = band_at(start);
+    for (const ChromaticityTable::Place& start : half_cosines_[index_of(kind)].starts(uv)) {
+        UnitBand band = half_cosine_at(light_, start);
         if (roots.has(band, 1.0, 6e-3)) continue;
-        if (!solve_chromaticity(uv, colour_at, band)) continue;
+        if (!solve_chromaticity(kind, uv, band)) continue;
         if (!roots.has(band, 0.05, 5e-4)) roots.band[roots.count++] = band;
     }
     return roots;
 }
 
-ExactBands::Roots ExactBands::half_cosine_roots(BandKind kind, const Xyz& target) const {
-    return roots_from(
-        half_cosines_[index_of(kind)], target,
-        [&](const ChromaticityTable::Place& start) { return half_cosine_at(light_, start); },
-        [&](const UnitBand& band) { return colour_of(kind, band); });
+UnitBand ExactBands::rectangle_of(const ColourSolid::Stretch& stretch) const {
+    const double width_nm = (stretch.to_nm - stretch.from_nm) / fullness(largest_flatness);
+    return within_limits(
+        light_, {0.5 * (stretch.from_nm + stretch.to_nm), std::sqrt(width_nm / UnitBand::widest_nm), largest_flatness});
 }
 
-// First among rectangles, whose colours are differences of running integrals.
-std::optional<UnitBand> ExactBands::flattest(BandKind kind, const Xyz& target) const {
-    const double rectangle = fullness(largest_flatness);  // its share of the width
-    const auto box_colour = [&](const UnitBand& band) {
-        const double half_nm = 0.5 * rectangle * band.width_nm();
-        return box_to_xyz(light_, kind, {band.peak_nm - half_nm, band.peak_nm + half_nm});
+// The nearest band to a colour that a stretch leads to: a rectangle of exactly its chromaticity if that is bright
+// enough, else the stretch as it is, or the half cosine of its place, whose colour is a mean over many stretches.
+//
+// @param share  by which the stretch is brighter than the target
+ExactBands::Nearest ExactBands::nearest(const ColourSolid::Stretch& stretch, const Xyz& target, double share) const {
+    const auto lab = [&](const Xyz& c) { return to_lab(adapt(light_.adaptation, c), d65_white); };
+    Nearest best{stretch.kind, {}, std::numeric_limits<double>::infinity()};
+    const auto consider = [&](const UnitBand& band) {
+        const Xyz reached = colour_of(stretch.kind, band);
+        const Xyz dimmed = scaled(reached, std::min(level_of(target, reached), 1.0));
+        const double difference = ciede2000(lab(target), lab(dimmed));
+        if (difference < best.de00) best = {stretch.kind, band, difference};
+        return best.de00 < invisible_de00;
     };
-    const Roots roots = roots_from(
-        boxes_[index_of(kind)], target,
-        [&](const ChromaticityTable::Place& start) -> UnitBand {
-            const Box box = box_at(edges_nm_, start);
-            return within_limits(
-                light_, {0.5 * (box.from_nm + box.to_nm),
-                         std::sqrt((box.to_nm - box.from_nm) / rectangle / UnitBand::widest_nm), largest_flatness});
-        },
-        box_colour);
-    std::optional<UnitBand> brightest;
-    for (std::size_t i = 0; i < roots.count; ++i) {
-        if (!brightest || box_colour(roots.band[i]).y > box_colour(*brightest).y) brightest = roots.band[i];
+    const UnitBand rectangle = rectangle_of(stretch);
+    UnitBand band = rectangle;
+    solve_chromaticity(stretch.kind, uv_of(target), band);
+    if (consider(band) || consider(rectangle)) return best;
+    const Lab bright = lab(scaled(target, share));
+    for (const double flatness : {largest_flatness, 0.0}) {
+        band = rectangle;
+        band.spread = std::min(band.spread * std::sqrt(fullness(largest_flatness) / fullness(flatness)), 1.0);
+        band.flatness = flatness;
+        newton(
+            light_, 2,
+            [&](const UnitBand& b) -> glm::dvec3 {
+                const auto parts = ciede2000_parts(bright, lab(colour_of(stretch.kind, b)));
+                return {parts[0], parts[1], parts[2]};
+            },
+            band);
+        consider(band);
     }
-    const auto colour_at = [&](const UnitBand& band) { return colour_of(kind, band); };
-    if (brightest && !solve_chromaticity(uv_of(target), colour_at, *brightest)) return {};
-    return brightest;
+    return best;
+}
+
+// The brightest band of the chromaticity: a rectangle, with sides as steep as they get. In a dent of the spectral locus
+// there may be none, or too dark a one; then the nearest that is as bright as can be, or just bright enough.
+std::optional<UnitBand> ExactBands::flattest(BandKind kind, const Xyz& target) const {
+    const ColourSolid::Boundary boundary = solid_.along(target);
+    if (boundary.share < 1.0 - rounding) return {};
+    Nearest best = nearest(boundary.stretch, target, boundary.share);
+    for (const double share : {boundary.share, 1.0}) {
+        if (best.de00 < invisible_de00) break;
+        const Nearest other = nearest(solid_.nearest(scaled(target, share)), target, share);
+        if (other.de00 < best.de00) best = other;
+    }
+    return best.kind == kind ? std::optional(best.band) : std::nullopt;
 }
 
 // From the flattest downwards, as far as there is a band of the chromaticity that is bright enough.
@@ -248,8 +225,7 @@ UnitBand ExactBands::less_flat(BandKind kind, const Xyz& target, UnitBand flat) 
         UnitBand middle = flat;
         middle.flatness = 0.5 * (too_little + flat.flatness);
         middle.spread *= std::sqrt(fullness(flat.flatness) / fullness(middle.flatness));
-        const bool is_there = solve_chromaticity(
-            uv, [&](const UnitBand& band) { return colour_of(kind, band); }, middle);
+        const bool is_there = solve_chromaticity(kind, uv, middle);
         if (is_there && level_of(target, colour_of(kind, middle)) <= 1.0)
             flat = middle;
         else
@@ -262,14 +238,13 @@ UnitBand ExactBands::less_flat(BandKind kind, const Xyz& target, UnitBand flat) 
 std::optional<UnitBand> ExactBands::least_flat(BandKind kind, const Xyz& target, const Roots& roots) const {
     const auto flat = flattest(kind, target);
     const double level_of_flat = flat ? level_of(target, colour_of(kind, *flat)) : 2.0;
-    const bool is_bright_enough = level_of_flat <= 1.0 + rounding;
-    if (is_bright_enough && level_of_flat > 1.0 - rounding) return flat;
+    if (flat && level_of_flat > 1.0 - rounding) return flat;
     std::optional<UnitBand> best;
     for (std::size_t i = 0; i < roots.count; ++i) {
         const UnitBand& root = roots.band[i];
         const double too_dark = level_of(target, colour_of(kind, root)) - 1.0;
         UnitBand band = root;
-        if (is_bright_enough) {
+        if (flat) {
             const double t = std::clamp(too_dark / (too_dark + 1.0 - level_of_flat), 0.05, 0.95);
             band = {std::lerp(root.peak_nm, flat->peak_nm, t), std::lerp(root.spread, flat->spread, t),
                     t * largest_flatness};
@@ -278,7 +253,7 @@ std::optional<UnitBand> ExactBands::least_flat(BandKind kind, const Xyz& target,
         }
         if (solve_colour(kind, target, band) && (!best || band.flatness < best->flatness)) best = band;
     }
-    if (best || !is_bright_enough) return best;
+    if (best || !flat) return best;
     UnitBand band = *flat;
     band.flatness = 0.3;  // chosen: what most of them have
     band.spread = std::min(band.spread * std::sqrt(fullness(flat->flatness) / fullness(band.flatness)), 1.0);
@@ -306,12 +281,7 @@ std::optional<ExactBands::Match> ExactBands::find(const Xyz& colour, BandKind ki
 }
 
 double ExactBands::brightest(const Xyz& colour) const {
-    double share = 0.0;
-    if (!has_chromaticity(colour)) return share;
-    for (const BandKind kind : {BandKind::band, BandKind::notch}) {
-        if (const auto band = flattest(kind, colour)) share = std::max(share, colour_of(kind, *band).y / colour.y);
-    }
-    return share;
+    return has_chromaticity(colour) ? solid_.along(colour).share : 0.0;
 }
 
 }  // namespace nacre

@@ -6,13 +6,10 @@
 
 #include "nacre/colour/adaptation.h"
 #include "nacre/colour/oklab.h"
+#include "nacre/colour/xyz_sums.h"
 
 namespace nacre {
 namespace {
-
-Xyz scaled(const Xyz& colour, double factor) {
-    return {colour.x * factor, colour.y * factor, colour.z * factor};
-}
 
 Xyz with_chroma(const Oklab& colour, double share) {
     return oklab_to_xyz({colour.lightness, share * colour.a, share * colour.b});
@@ -32,18 +29,29 @@ ShownColour shown_colour(const ExactBands& bands, const Light& light, const Xyz&
         if (most > 1.0 - rounding) return {colour};
         return {scaled(colour, most), most, 1.0};
     }
-    // Next to the ends of the spectrum a colour may have bands although the brightest was not found.
-    const Xyz in_light = adapt(to_light, colour);
-    if (bands.find(in_light, BandKind::band, 0.0) || bands.find(in_light, BandKind::notch, 0.0)) return {colour};
-    // The share of the chroma that equals the share of the lightness, by bisection to a tenth of what is visible.
-    double inside = 0.0;
-    double outside = 1.0;
-    constexpr int halvings = 10;
-    for (int i = 0; i < halvings; ++i) {
-        const double middle = 0.5 * (inside + outside);
-        const double lightness = std::cbrt(std::min(brightest(with_chroma(picked, middle)), 1.0));
-        (lightness >= middle ? inside : outside) = middle;
+    // The share of the chroma that equals the share of the lightness, to a tenth of what is visible: the rule of false
+    // position, which halves an end that stays.
+    constexpr double invisible = 1e-3;
+    constexpr int most_steps = 20;
+    double inside = 0.0, outside = 1.0, lighter = 1.0, darker = -1.0;
+    for (int i = 0, stays = 0; i < most_steps; ++i) {
+        const double middle = inside + (outside - inside) * lighter / (lighter - darker);
+        const double excess = std::cbrt(std::min(brightest(with_chroma(picked, middle)), 1.0)) - middle;
+        if (excess >= 0.0) {
+            inside = middle;
+            lighter = excess;
+            if (excess < invisible) break;
+            if (stays > 0) darker *= 0.5;
+            stays = 1;
+        } else {
+            outside = middle;
+            darker = excess;
+            if (stays < 0) lighter *= 0.5;
+            stays = -1;
+        }
     }
+    // A step further in: next to the locus bands may not reach what other reflectances do.
+    inside = std::max(inside - invisible, 0.0);
     const Xyz paler = with_chroma(picked, inside);
     const double share = std::min(brightest(paler), 1.0);
     return {scaled(paler, share), share * paler.y / std::max(colour.y, paler.y), inside};

@@ -2,7 +2,8 @@
 //
 // In: a trial, which tells the error at any points, a limit beyond which the answer does not matter, and points at
 // which smaller LUTs erred. In this order:
-//   1. The points given. They leave no trace, so that a LUT is judged alike wherever others failed.
+//   1. The points given, and in 1D the middles of some cells. They leave no trace, so that a LUT is judged alike
+//      wherever others failed.
 //   2. An even grid over all cells, row by row, with the kinks of the model. Of each row of cells the worst point of
 //      each cell is kept, if it is not far from the worst of all.
 //   3. The worst cells again, finely, and around their worst points in ever smaller steps.
@@ -15,6 +16,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 
 #include "nacre/accuracy/effort.h"
 #include "nacre/lut/job.h"
@@ -31,6 +33,10 @@ constexpr int fewest_columns_in_2d = 384;
 constexpr int fewest_rows = 96;
 
 constexpr std::size_t batch_size = 512;
+
+// Cells whose middles are looked at first. Chosen: they cost little beside a whole scan, which most LUTs are too small
+// for.
+constexpr int most_middles = 128;
 
 // Cells within this factor of the worst are looked at again, so many at most.
 constexpr double worth_refining = 0.55;
@@ -77,6 +83,7 @@ public:
 
     Scan scan(std::span<const LutPoint> first) {
         scan_at(first);
+        if (!is_over() && !is_2d()) scan_at(some_middles());
         if (!is_over()) {
             // They leave no trace: a LUT is judged alike wherever others failed.
             result_ = {};
@@ -134,6 +141,23 @@ private:
         std::partial_sort(bad_cells_.begin(), bad_cells_.begin() + static_cast<std::ptrdiff_t>(count), bad_cells_.end(),
                           is_worse);
         bad_cells_.resize(count);
+    }
+
+    // Where a LUT that is too small errs: of some cells the middles, and beside the breakpoints.
+    std::vector<LutPoint> some_middles() const {
+        const int count = std::min(columns_, most_middles);
+        std::vector<LutPoint> points;
+        for (int i = 0; i < count; ++i) {
+            const auto column = static_cast<int>(static_cast<std::int64_t>(i) * columns_ / count);
+            points.push_back({(column + 0.5) / columns_, 0.0});
+        }
+        for (const double x : breakpoints(trial_.job(), 0.0)) {
+            const int column = std::min(static_cast<int>(x * columns_), columns_ - 1);
+            for (const int near : {column - 1, column, column + 1}) {
+                if (near >= 0 && near < columns_) points.push_back({(near + 0.5) / columns_, 0.0});
+            }
+        }
+        return points;
     }
 
     int columns_per_cell() const {

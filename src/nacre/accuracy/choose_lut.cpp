@@ -40,7 +40,8 @@ ChosenLut choose_lut(const PlannedLut& lut, const Encoding& encoding, const Afte
     if (!encoding.to_xyz) return choose_without_errors(lut, after_step);
     Work work;
     const LutSurvey survey = survey_lut(lut, true, after_step, work);
-    const LutSearch search{survey, encoding, after_step};
+    TexelsOfWidths known;
+    const LutSearch search{survey, encoding, after_step, &known};
     FoundLut found = find_lut(search, work);
     return explain_lut(search, std::move(found), work);
 }

@@ -45,12 +45,13 @@ bool is_spent(const LutSearch& search, const Work& work) {
     return search.survey.effort.is_spent(work);
 }
 
-Trial trial_of(const LutSearch& search, Job job, const Candidate& candidate, double scale, const ModelCurve* curve) {
+Trial trial_of(const LutSearch& search, Job job, const Candidate& candidate, double scale, const ModelCurve* curve,
+               TexelsOfWidths* known) {
     job.width = candidate.width;
     job.height = candidate.height;
     const bool model_samples = search.survey.spectrum_error == SpectrumError::not_judged;
     return Trial(job, candidate.format, search.encoding, model_samples, scale, search.survey.scale, search.after_step,
-                 curve);
+                 curve, known);
 }
 
 // The job along a line through a 2D LUT. @param at  the other coordinate
@@ -70,7 +71,7 @@ int smallest_width(const LutSearch& search, const Job& slice, int smallest, Work
     std::vector<LutPoint> failed;
     for (int size = smallest; size < largest_lut_size && !is_spent(search, work); size *= 2) {
         const Candidate candidate{size, 1, PixelFormat::single_float};
-        Trial trial = trial_of(search, slice, candidate, search.survey.scale, nullptr);
+        Trial trial = trial_of(search, slice, candidate, search.survey.scale, nullptr, nullptr);
         const Scan scan = scan_errors(trial, scan_limit(search.survey), failed);
         work += trial.work();
         if (scan.is_complete) return size;
@@ -184,7 +185,8 @@ FoundLut find_best(const LutSearch& search, const std::vector<Candidate>& candid
 
 Trial try_candidate(const LutSearch& search, const Candidate& candidate) {
     const LutSurvey& survey = search.survey;
-    return trial_of(search, survey.lut.job, candidate, 0.0, survey.curve ? &*survey.curve : nullptr);
+    return trial_of(search, survey.lut.job, candidate, 0.0, survey.curve ? &*survey.curve : nullptr,
+                    survey.is_2d() ? nullptr : search.known);
 }
 
 FoundLut find_lut(const LutSearch& search, Work& work) {

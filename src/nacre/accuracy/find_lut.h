@@ -17,6 +17,7 @@ struct LutSearch {
     const LutSurvey& survey;
     const Encoding& encoding;
     const AfterRow& after_step;
+    TexelsOfWidths* known = nullptr;  ///< of the LUTs that are tried; null: none are kept
 };
 
 /// A size and format with what is known of their error.

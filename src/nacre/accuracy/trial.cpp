@@ -67,7 +67,7 @@ double brightness_scale(const Image<Xyz>& texels, double black_scale) {
 }
 
 Trial::Trial(const Job& job, PixelFormat format, const Encoding& encoding, bool sampled_model, double scale,
-             double black_scale, AfterRow after_step, const ModelCurve* curve)
+             double black_scale, AfterRow after_step, const ModelCurve* curve, TexelsOfWidths* known)
     : job_(job),
       model_job_(model_of(job, sampled_model)),
       encoding_(encoding),
@@ -75,7 +75,7 @@ Trial::Trial(const Job& job, PixelFormat format, const Encoding& encoding, bool 
       scale_(scale),
       model_(model_job_),
       curve_(curve) {
-    const Image<Xyz> texels = curve_ != nullptr ? texels_of(*curve_, job_.width) : bake(job_, after_step_, &work_);
+    const Image<Xyz> texels = curve_ != nullptr ? texels_of(*curve_, job_.width) : baked_texels(known);
     exact_ = encoding.to_rgb(texels);
     if (scale_ == 0.0)
         scale_ = brightness_scale(encoding.keeps_colours ? texels : encoding.to_xyz(exact_), black_scale);
@@ -94,6 +94,13 @@ Trial::Trial(const Job& job, Image<Rgb> stored, const Encoding& encoding, std::f
       scale_(display_scale(encoding.keeps_colours ? bake(model_job_)
                                                   : encoding.to_xyz(encoding.to_rgb(bake(model_job_))))),
       model_(model_job_) {}
+
+Image<Xyz> Trial::baked_texels(TexelsOfWidths* known) {
+    if (known == nullptr) return bake(job_, after_step_, &work_);
+    auto found = known->find(job_.width);
+    if (found == known->end()) found = known->emplace(job_.width, bake(job_, after_step_, &work_)).first;
+    return found->second;
+}
 
 Image<Xyz> Trial::model_at(std::span<const LutPoint> points) {
     Image<Xyz> model(static_cast<int>(points.size()), 1);

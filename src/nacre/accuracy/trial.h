@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <map>
 #include <span>
 #include <vector>
 
@@ -21,6 +22,9 @@ double display_scale(const Image<Xyz>& texels);
 /// The same, but what is given for a LUT that is black all over.
 double brightness_scale(const Image<Xyz>& texels, double black_scale);
 
+/// The colours of the texels of 1D LUTs of one job, by their width: both formats have them.
+using TexelsOfWidths = std::map<int, Image<Xyz>>;
+
 /// A LUT baked at one size, held against its model point by point.
 class Trial {
 public:
@@ -30,9 +34,11 @@ public:
     /// @param black_scale     the scale of a LUT that is black all over, though its model may not be
     /// @param curve           of the same job, 1D: where both the LUT's and the model's colours are taken from; null:
     ///                        the job itself. Has to outlive the trial
+    /// @param known           texels of the same job, to be taken or added; null: none
     /// @param after_step      called after every row and every batch of points; what it throws ends the trial
     Trial(const Job& job, PixelFormat format, const Encoding& encoding, bool sampled_model, double scale = 0.0,
-          double black_scale = 1.0, AfterRow after_step = {}, const ModelCurve* curve = nullptr);
+          double black_scale = 1.0, AfterRow after_step = {}, const ModelCurve* curve = nullptr,
+          TexelsOfWidths* known = nullptr);
 
     /// A LUT that came about in some other way.
     /// @param stored  job.width x job.height, as stored
@@ -55,6 +61,7 @@ public:
 
 private:
     std::vector<double> errors(const Image<Rgb>& lut, std::span<const LutPoint> points, double floor);
+    Image<Xyz> baked_texels(TexelsOfWidths* known);
     Image<Xyz> model_at(std::span<const LutPoint> points);
 
     Job job_;

@@ -4,6 +4,7 @@
 #include <memory>
 #include <utility>
 
+#include "io/ocio/config_version.h"
 #include "io/scene/scene_file.h"
 #include "nacre/base/error.h"
 #include "nacre/lut/colour_settings.h"
@@ -51,11 +52,15 @@ private:
 
 ColourConfigChoice config_choice(const ColourSettings& colour, const std::string& scene_path,
                                  const std::string& config) {
-    if (!config.empty()) return {config, colour.interchange, "--ocio"};
-    if (colour.config.empty()) return {"", colour.interchange, scene_path};
-    // A file that a scene names lies beside the scene.
-    const auto file = folder_of(colour.config_where) / colour.config;
-    return {file.string(), colour.interchange, colour.config_where.text() + " [colour]"};
+    ColourConfigChoice choice{config, colour.interchange, "--ocio", colour.aces_interchange};
+    if (!config.empty()) return choice;
+    choice.where = scene_path;
+    if (colour.config.empty()) return choice;
+    // A file that a scene names lies beside the scene. Newer versions of OpenColorIO contain configs of such names.
+    choice.path =
+        is_inside_ocio(colour.config) ? colour.config : (folder_of(colour.config_where) / colour.config).string();
+    choice.where = colour.config_where.text() + " [colour]";
+    return choice;
 }
 
 SceneFiles scene_files_with_colours(const std::string& scene_path, const std::string& config,

@@ -114,6 +114,11 @@ const std::vector<Mistake> mistakes{
      ":5:12 [light]: range_nm = [700, 400] is empty; give the smaller number first"},
     {"MissingCsv", scene("[light]\nilluminant = \"no.csv\"\n"),
      ":5:14: no.csv: cannot be opened: No such file or directory"},
+    {"BothInterchanges", scene("[colour]\ninterchange = \"XYZ\"\naces_interchange = \"AP0\"\n"),
+     ":6:20 [colour]: interchange and aces_interchange are both given; keep the one that names a space of the config: "
+     "interchange for CIE XYZ D65, aces_interchange for ACES2065-1"},
+    {"EmptyAcesInterchange", scene("[colour]\naces_interchange = \"\"\n"),
+     ":5:20 [colour]: aces_interchange is empty; give a name, or remove the key"},
     {"UnknownGamut", scene("[colour]\ngamut = \"fold\"\n"),
      ":5:9 [colour]: unknown gamut \"fold\"; known: keep, clip, compress"},
     {"UnknownGamutOfALut", scene("[lut.a]\ngamut = \"fold\"\n"),

@@ -1,17 +1,11 @@
 #include "io/ocio/colour_config.h"
 
 #include <algorithm>
-#include <cerrno>
-#include <cstdio>
 #include <cstdlib>
-#include <cstring>
-#include <filesystem>
-#include <string_view>
-#include <system_error>
 #include <utility>
 
-#include "io/disk/hash.h"
 #include "io/ocio/colour_interchange.h"
+#include "io/ocio/config_file.h"
 #include "io/ocio/known_spaces.h"
 #include "io/ocio/ocio_detail.h"
 #include "nacre/base/error.h"
@@ -21,51 +15,12 @@ namespace nacre {
 
 struct ColourConfig::Impl {
     OpenedConfig opened;
+    std::string name;
     std::string hash;
+    bool is_from_environment = false;
 };
 
 namespace {
-
-std::string read_config(const std::string& path, const std::string& where) {
-    constexpr std::size_t longest = std::size_t{16} << 20U;
-    const std::string what = where + ": OCIO config " + in_quotes(path);
-    std::error_code failure;
-    if (std::filesystem::is_directory(path, failure)) throw Error(what + " is a folder; name the config.ocio in it");
-    const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"), &std::fclose);
-    if (!file) throw Error(what + " cannot be read (" + std::strerror(errno) + "); name a readable config.ocio");
-    std::string text(longest + 1, '\0');
-    text.resize(std::fread(text.data(), 1, text.size(), file.get()));
-    if (std::ferror(file.get()) != 0) throw Error(what + " cannot be read; name a readable config.ocio");
-    if (text.empty()) throw Error(what + " is empty; an OCIO config begins with ocio_profile_version");
-    if (text.size() > longest) throw Error(what + " is longer than 16 MiB; that is the limit");
-    return text;
-}
-
-// OpenColorIO begins with the path, which our message has.
-std::string_view after(std::string_view message, std::string_view preamble) {
-    const auto at = message.find(preamble);
-    return at == std::string_view::npos ? message : message.substr(at + preamble.size());
-}
-
-ColourConfig::Impl open_builtin() {
-    return {{builtin_config(), "nacre (built in)", {}}, hash_text(builtin_ocio_config)};
-}
-
-ColourConfig::Impl open_file(const std::string& path, const std::string& where) {
-    // Newer versions of OpenColorIO have built-in configs under such names.
-    const bool inside_ocio = path.starts_with("ocio://");
-    const std::string text = inside_ocio ? std::string() : read_config(path, where);
-    try {
-        const OCIO::ConstConfigRcPtr config = OCIO::Config::CreateFromFile(path.c_str());
-        const std::string file = inside_ocio ? path : std::filesystem::path(path).filename().string();
-        const std::string name = config->getName();
-        return {{config, name.empty() ? file : file + " (" + name + ")", {}}, hash_text(inside_ocio ? path : text)};
-    } catch (const OCIO::Exception& e) {
-        throw Error(where + ": OCIO config " + in_quotes(path) +
-                    " is refused: " + one_line(after(e.what(), "' failed.")) + "; give a config that OpenColorIO " +
-                    OCIO::GetVersion() + " can read");
-    }
-}
 
 std::vector<std::string> all_displays(const OCIO::ConstConfigRcPtr& config) {
     std::vector<std::string> names;
@@ -156,18 +111,32 @@ ColourConfig ColourConfig::open(const ColourConfigChoice& choice) {
     silence_ocio();
     const char* const variable = std::getenv("OCIO");
     const bool from_environment = choice.path.empty() && variable != nullptr && *variable != '\0';
-    Impl impl = from_environment       ? open_file(variable, "$OCIO")
-                : !choice.path.empty() ? open_file(choice.path, choice.where)
-                                       : open_builtin();
-    impl.opened.interchange = choice.interchange;
+    ConfigFile file = from_environment       ? open_config_file(variable, "$OCIO")
+                      : !choice.path.empty() ? open_config_file(choice.path, choice.where)
+                                             : open_builtin_config();
+    Impl impl{{std::move(file.config), std::move(file.description), choice.interchange, choice.aces_interchange},
+              std::move(file.name),
+              std::move(file.hash),
+              from_environment};
     return ColourConfig(std::make_shared<const Impl>(std::move(impl)));
 }
 
 const std::string& ColourConfig::description() const {
     return impl_->opened.description;
 }
+const std::string& ColourConfig::name() const {
+    return impl_->name;
+}
 const std::string& ColourConfig::content_hash() const {
     return impl_->hash;
+}
+bool ColourConfig::is_from_environment() const {
+    return impl_->is_from_environment;
+}
+
+std::string ColourConfig::space_called(const std::string& name) const {
+    const auto space = impl_->opened.config->getColorSpace(name.c_str());
+    return space ? space->getName() : std::string();
 }
 
 std::vector<std::string> ColourConfig::colour_spaces() const {

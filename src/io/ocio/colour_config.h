@@ -12,9 +12,9 @@ namespace nacre {
 /// An OpenColorIO config, and its interchange space for CIE XYZ under D65. Immutable, cheap to copy.
 ///
 /// The interchange space on the scene side (for scene-referred spaces, displays and views):
-///   1. the space named by `interchange`,
+///   1. the space named by `interchange`, or by `aces_interchange` after our own XYZ D65 -> ACES2065-1 (Bradford),
 ///   2. role cie_xyz_d65_interchange, if it is scene-referred,
-///   3. role aces_interchange, after our own XYZ D65 -> ACES2065-1 (Bradford),
+///   3. role aces_interchange, after the same matrix,
 ///   4. role cie_xyz_d65_interchange, display-referred, if the config's default view transform is only a matrix.
 /// OpenColorIO expects cie_xyz_d65_interchange to be display-referred; from there to the scene it would invert the
 /// default view transform, which may be a tone map. Hence the order of 3 and 4, and the condition. For display-referred
@@ -33,11 +33,17 @@ public:
 
     /// "nacre (built in)", or "FILE (NAME)" without the folder.
     const std::string& description() const;
+    /// What the config calls itself, else the name of its file; "nacre" for the built-in one.
+    const std::string& name() const;
     /// XXH3, 128 bits as 32 hex digits, of the config's text; files that the config refers to do not count.
     const std::string& content_hash() const;
+    /// Whether $OCIO named it, and nobody else did.
+    bool is_from_environment() const;
 
     /// The active ones, scene-referred first, otherwise in the config's order; data left out.
     std::vector<std::string> colour_spaces() const;
+    /// The name of the colour space that has this name, alias or role; empty if there is none.
+    std::string space_called(const std::string& name) const;
     /// The first sentence of what the config says of a colour space; empty if it says nothing, or has no such space.
     std::string about(const std::string& name) const;
     std::vector<std::string> displays() const;

@@ -25,7 +25,8 @@ constexpr double interchange_tolerance = 0.01;
 constexpr double neutral_tolerance = 1e-3;
 
 std::string advice() {
-    return "; correct the config, or name its scene-referred CIE XYZ D65 space as `interchange`";
+    return "; correct the config, or name its scene-referred CIE XYZ D65 space as `interchange` or its ACES2065-1 "
+           "space as `aces_interchange`";
 }
 
 std::string numbers(const Rgb& colour) {
@@ -50,17 +51,50 @@ std::optional<Interchange> by_role(const OpenedConfig& opened, const char* role,
     return interchange;
 }
 
+// The space that the user names by one of two keys.
 Interchange by_name(const OpenedConfig& opened, const std::string& where) {
-    const auto space = opened.config->getColorSpace(opened.interchange.c_str());
-    if (!space) throw_unknown_space(opened, opened.interchange, where);
+    const bool takes_ap0 = opened.interchange.empty();
+    const std::string key = takes_ap0 ? "aces_interchange" : "interchange";
+    const std::string& name = takes_ap0 ? opened.aces_interchange : opened.interchange;
+    const auto space = opened.config->getColorSpace(name.c_str());
+    if (!space) throw_unknown_space(opened, name, where);
     if (space->isData()) {
-        throw Error(where + ": interchange " + in_quotes(opened.interchange) + " is a data space of config " +
-                    in_quotes(opened.description) + "; it must be CIE XYZ D65");
+        throw Error(where + ": " + key + " " + in_quotes(name) + " is a data space of config " +
+                    in_quotes(opened.description) + "; it must be " + (takes_ap0 ? "ACES2065-1" : "CIE XYZ D65"));
     }
     Interchange interchange;
     interchange.space = space->getName();
-    interchange.how = "interchange " + in_quotes(space->getName());
+    interchange.how = key + " " + in_quotes(space->getName());
+    interchange.takes_ap0 = takes_ap0;
     return interchange;
+}
+
+bool is_named_by_user(const OpenedConfig& opened) {
+    return !opened.interchange.empty() || !opened.aces_interchange.empty();
+}
+
+// What the config calls the space that our own config has under one of that id's names; empty if it has none.
+std::string space_like(const OpenedConfig& opened, const std::string& interop_id) {
+    for (const KnownSpace& known : known_spaces()) {
+        if (known.interop_id != interop_id) continue;
+        for (const std::string& name : known.names) {
+            const auto space = opened.config->getColorSpace(name.c_str());
+            if (space && !space->isData() && space->getReferenceSpaceType() == known.side) return space->getName();
+        }
+    }
+    return {};
+}
+
+// A config that has the space and says nothing of it is common: then the key can be given at once.
+[[noreturn]] void throw_no_role(const OpenedConfig& opened, const std::string& where) {
+    const std::string xyz = space_like(opened, "lin_ciexyzd65_scene");
+    const std::string ap0 = space_like(opened, "lin_ap0_scene");
+    throw Error(where + ": config " + in_quotes(opened.description) + " has neither role " + in_quotes(role_ap0) +
+                " nor role " + in_quotes(role_xyz) + "; add one, or " +
+                (!xyz.empty()   ? "give [colour] interchange = " + in_quotes(xyz)
+                 : !ap0.empty() ? "give [colour] aces_interchange = " + in_quotes(ap0)
+                                : "name its scene-referred CIE XYZ D65 space as `interchange` or its ACES2065-1 space "
+                                  "as `aces_interchange`"));
 }
 
 OCIO::ReferenceSpaceType side_of(const OpenedConfig& opened, const std::string& space) {
@@ -69,15 +103,13 @@ OCIO::ReferenceSpaceType side_of(const OpenedConfig& opened, const std::string& 
 
 // The order of preference. Of the two roles the one on the target's own side, if there is one.
 Interchange choose_interchange(const OpenedConfig& opened, OCIO::ReferenceSpaceType side, const std::string& where) {
-    if (!opened.interchange.empty()) return by_name(opened, where);
+    if (is_named_by_user(opened)) return by_name(opened, where);
     const auto xyz = by_role(opened, role_xyz, where);
     if (xyz && side_of(opened, xyz->space) == side) return *xyz;
     const auto ap0 = by_role(opened, role_ap0, where);
     if (ap0 && (side == OCIO::REFERENCE_SPACE_SCENE || !xyz)) return *ap0;
     if (xyz) return *xyz;
-    throw Error(where + ": config " + in_quotes(opened.description) + " has neither role " + in_quotes(role_ap0) +
-                " nor role " + in_quotes(role_xyz) +
-                "; add one, or name its scene-referred CIE XYZ D65 space as `interchange`");
+    throw_no_role(opened, where);
 }
 
 // Between the two sides OpenColorIO runs the default view transform, forwards or backwards.
@@ -172,7 +204,7 @@ Interchange find_interchange(const OpenedConfig& opened, OCIO::ReferenceSpaceTyp
     interchange.leads_to = side;
     check_crossing(opened, interchange, side, where);
     interchange.confirmed = compare_known_spaces(opened, interchange, where) > 0;
-    if (!interchange.confirmed && opened.interchange.empty()) compare_roles(opened, where);
+    if (!interchange.confirmed && !is_named_by_user(opened)) compare_roles(opened, where);
     return interchange;
 }
 
@@ -216,35 +248,6 @@ void check_neutral(const OpenedConfig& opened, const Interchange& interchange, c
         throw Error(where + ": " + interchange.how + " of config " + in_quotes(opened.description) +
                     " is wrong: with it, " + what + advice());
     }
-}
-
-std::vector<std::string> space_names(const OCIO::ConstConfigRcPtr& config, OCIO::ColorSpaceVisibility visibility) {
-    std::vector<std::string> names;
-    for (const auto side : {OCIO::SEARCH_REFERENCE_SPACE_SCENE, OCIO::SEARCH_REFERENCE_SPACE_DISPLAY}) {
-        const int count = config->getNumColorSpaces(side, visibility);
-        for (int i = 0; i < count; ++i) {
-            const char* const name = config->getColorSpaceNameByIndex(side, visibility, i);
-            const auto space = config->getColorSpace(name);
-            if (space && !space->isData()) names.emplace_back(name);
-        }
-    }
-    return names;
-}
-
-void throw_unknown_space(const OpenedConfig& opened, const std::string& name, const std::string& where) {
-    const OCIO::ConstConfigRcPtr& config = opened.config;
-    std::vector<std::string> all = space_names(config, OCIO::COLORSPACE_ALL);
-    const std::size_t count = all.size();
-    for (std::size_t i = 0; i < count; ++i) {
-        const auto space = config->getColorSpace(all[i].c_str());
-        for (std::size_t k = 0; k < space->getNumAliases(); ++k) all.emplace_back(space->getAlias(k));
-    }
-    for (int i = 0; i < config->getNumRoles(); ++i) all.emplace_back(config->getRoleName(i));
-    const std::vector<std::string> near = nearest_names(name, all);
-    const std::string offer = near.empty() ? "; known: " + comma_separated(space_names(config, OCIO::COLORSPACE_ACTIVE))
-                                           : "; nearest: " + comma_separated(near);
-    throw Error(where + ": unknown colour space " + in_quotes(name) + " in config " + in_quotes(opened.description) +
-                offer);
 }
 
 }  // namespace nacre

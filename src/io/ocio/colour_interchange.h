@@ -1,18 +1,11 @@
 #pragma once
 
 #include <string>
-#include <vector>
 
 #include "io/ocio/ocio_detail.h"
+#include "io/ocio/opened_config.h"
 
 namespace nacre {
-
-/// A config with the settings of the user.
-struct OpenedConfig {
-    OCIO::ConstConfigRcPtr config;
-    std::string description;  ///< for messages and headers, no folder
-    std::string interchange;  ///< a space of the config that is CIE XYZ D65, or empty
-};
 
 /// The interchange space of a config, where CIE XYZ D65 enters; colour_config.h lists the order of preference.
 struct Interchange {
@@ -38,11 +31,5 @@ OCIO::GroupTransformRcPtr path_to_space(const Interchange& interchange, const st
 /// @throws Error naming the space that they were converted to
 void check_neutral(const OpenedConfig& opened, const Interchange& interchange, const Conversion& conversion,
                    const std::string& space, const std::string& where);
-
-/// Names of the colour spaces, scene-referred first, data left out.
-std::vector<std::string> space_names(const OCIO::ConstConfigRcPtr& config, OCIO::ColorSpaceVisibility visibility);
-
-/// The error for a colour space that the config lacks; offers the nearest names, or all when none is near.
-[[noreturn]] void throw_unknown_space(const OpenedConfig& opened, const std::string& name, const std::string& where);
 
 }  // namespace nacre

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 #include <sstream>
+#include <utility>
 
 #include "nacre/base/image.h"
 #include "nacre/colour/colour_types.h"
@@ -18,6 +19,17 @@ constexpr std::array<std::string_view, 11> interop_ids{
     "lin_adobergb_scene",  "lin_ap0_scene",      "lin_ap1_scene",     "srgb_rec709_scene",
     "srgb_rec709_display", "srgb_p3d65_display", "g24_rec709_display"};
 
+// What the ACES configs for OpenColorIO 1 (up to ACES 1.2) call our spaces, by the ids above; they have no roles for
+// the interchange. Our own config does not list them, because its text decides its hash.
+constexpr std::array<std::pair<std::string_view, std::string_view>, 7> older_names{
+    {{"lin_rec709_scene", "Utility - Linear - Rec.709"},
+     {"lin_rec709_scene", "Utility - Linear - sRGB"},
+     {"lin_p3d65_scene", "Utility - Linear - P3-D65"},
+     {"lin_rec2020_scene", "Utility - Linear - Rec.2020"},
+     {"lin_adobergb_scene", "Utility - Linear - Adobe RGB"},
+     {"lin_ap0_scene", "ACES - ACES2065-1"},
+     {"lin_ap1_scene", "ACES - ACEScg"}}};
+
 constexpr double same_space_tolerance = 1e-4;
 
 KnownSpace known_space(const OCIO::ConstConfigRcPtr& config, const OCIO::ConstColorSpaceRcPtr& space) {
@@ -26,6 +38,9 @@ KnownSpace known_space(const OCIO::ConstConfigRcPtr& config, const OCIO::ConstCo
     for (std::size_t i = 0; i < space->getNumAliases(); ++i) known.names.emplace_back(space->getAlias(i));
     for (const std::string& name : known.names) {
         if (std::find(interop_ids.begin(), interop_ids.end(), name) != interop_ids.end()) known.interop_id = name;
+    }
+    for (const auto& [id, name] : older_names) {
+        if (id == known.interop_id) known.names.emplace_back(name);
     }
     known.side = space->getReferenceSpaceType();
     const bool scene = known.side == OCIO::REFERENCE_SPACE_SCENE;

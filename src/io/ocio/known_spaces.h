@@ -30,7 +30,7 @@ double largest_difference(const Image<Rgb>& a, const Image<Rgb>& b);
 
 /// A space of our own config and where it takes the probes: the reference for other configs.
 struct KnownSpace {
-    std::vector<std::string> names;  ///< its name, then its aliases
+    std::vector<std::string> names;  ///< its name, its aliases, then the names that older configs have for it
     std::string interop_id;          ///< Color Interop Forum's, "" where there is none
     OCIO::ReferenceSpaceType side;
     bool linear;

@@ -14,8 +14,11 @@ public:
     explicit OcioSpaces(ColourConfig config) : config_(std::move(config)) {}
 
     const std::string& description() const override { return config_.description(); }
+    const std::string& short_name() const override { return config_.name(); }
+    bool is_from_environment() const override { return config_.is_from_environment(); }
     const std::string& content_hash() const override { return config_.content_hash(); }
     std::vector<std::string> names() const override { return config_.colour_spaces(); }
+    std::string space_called(const std::string& name) const override { return config_.space_called(name); }
     std::string about(const std::string& name) const override { return config_.about(name); }
     std::vector<std::string> displays() const override { return config_.displays(); }
     std::vector<std::string> views(const std::string& display) const override { return config_.views(display); }

@@ -14,6 +14,7 @@ struct ColourConfigChoice {
     std::string path;         ///< a config file; empty means the provider's default ($OCIO, else the built-in config)
     std::string interchange;  ///< name of a space of the config that is CIE XYZ D65; wins over the roles. May be empty
     std::string where;        ///< who asked, for messages: "scene.toml:3", "--ocio"
+    std::string aces_interchange{};  ///< the same of a space that is ACES2065-1. Only one of the two may be given
 };
 
 /// A set of colour spaces and displays that can be named: an OpenColorIO config, or the core's own RGB spaces.
@@ -23,11 +24,17 @@ public:
 
     /// For headers and messages, without a folder: "nacre (built in)".
     virtual const std::string& description() const = 0;
+    /// The same in a word, for lines about a LUT: "nacre".
+    virtual const std::string& short_name() const = 0;
+    /// Whether the user's environment chose them, and nobody else. Their role scene_linear is then the default space.
+    virtual bool is_from_environment() const = 0;
     /// A hash of what the spaces are defined by, 32 hexadecimal digits; empty if they are compiled in.
     virtual const std::string& content_hash() const = 0;
 
     /// Names of the colour spaces that a scene can be baked in.
     virtual std::vector<std::string> names() const = 0;
+    /// The name of the space that has this name, alias or role; empty if there is none.
+    virtual std::string space_called(const std::string& name) const = 0;
     /// Half a line about one of them; empty where nothing is known.
     virtual std::string about(const std::string& name) const = 0;
     /// Names of the displays, and of the views of each.

@@ -94,12 +94,18 @@ private:
 class OwnColourSpaces final : public ColourSpaces {
 public:
     const std::string& description() const override { return description_; }
+    const std::string& short_name() const override { return short_name_; }
+    bool is_from_environment() const override { return false; }
     const std::string& content_hash() const override { return hash_; }
 
     std::vector<std::string> names() const override {
         std::vector<std::string> names;
         for (const KnownRgbSpace& space : known_rgb_spaces()) names.emplace_back(space.name);
         return names;
+    }
+    std::string space_called(const std::string& name) const override {
+        const KnownRgbSpace* const known = find(name);
+        return known != nullptr ? std::string(known->name) : std::string();
     }
     std::string about(const std::string& name) const override {
         for (const KnownRgbSpace& space : known_rgb_spaces()) {
@@ -115,10 +121,7 @@ public:
     }
 
     std::shared_ptr<const ColourSpace> space(const std::string& name, const std::string& where) const override {
-        for (const KnownRgbSpace& known : known_rgb_spaces()) {
-            if (known.name == name || known.alias == name || known.interop_id == name)
-                return std::make_shared<const RgbColourSpace>(known);
-        }
+        if (const KnownRgbSpace* const known = find(name)) return std::make_shared<const RgbColourSpace>(*known);
         throw Error(where + ": unknown colour space " + in_quotes(name) + "; known: " + comma_separated(names()));
     }
 
@@ -131,12 +134,21 @@ public:
     }
 
 private:
+    // Null for an unknown name.
+    static const KnownRgbSpace* find(const std::string& name) {
+        for (const KnownRgbSpace& known : known_rgb_spaces()) {
+            if (known.name == name || known.alias == name || known.interop_id == name) return &known;
+        }
+        return nullptr;
+    }
+
     static void check_display(const std::string& display, const std::string& where) {
         if (display != display_name)
             throw Error(where + ": unknown display " + in_quotes(display) + "; known: " + std::string(display_name));
     }
 
     std::string description_ = "nacre (compiled in)";
+    std::string short_name_ = "nacre";
     std::string hash_ = "none";
 };
 

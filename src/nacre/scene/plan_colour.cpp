@@ -22,6 +22,20 @@ void read_name(const Table& table, std::string_view key, const Value& value, std
     });
 }
 
+// Where XYZ gets into the config: by one key or the other.
+void read_interchange(const Table& table, ColourSettings& colour) {
+    const Value* xyz = table.find("interchange");
+    const Value* aces = table.find("aces_interchange");
+    if (xyz != nullptr) read_name(table, "interchange", *xyz, colour.interchange);
+    if (aces != nullptr) read_name(table, "aces_interchange", *aces, colour.aces_interchange);
+    if (xyz == nullptr || aces == nullptr) return;
+    attempt(table, aces->where, [&] {
+        table.fail(aces->where,
+                   "interchange and aces_interchange are both given; keep the one that names a space of "
+                   "the config: interchange for CIE XYZ D65, aces_interchange for ACES2065-1");
+    });
+}
+
 }  // namespace
 
 void read_lut_colour(const Table& table, LutColour& colour) {
@@ -49,7 +63,7 @@ ColourSettings plan_colour(const Table& scene) {
             colour.config_where = config->where;
         }
         read_lut_colour(*table, colour);
-        attempt(*table, table->where(), [&] { colour.interchange = table->text_or("interchange", ""); });
+        read_interchange(*table, colour);
         table->expect_all_read();
     });
     return colour;

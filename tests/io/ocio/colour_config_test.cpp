@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <fstream>
 #include <glm/glm.hpp>
+#include <iterator>
 #include <limits>
 #include <utility>
 
@@ -259,7 +260,8 @@ TEST(Interchange, AcesRoleThatNamesAnotherSpaceIsFoundByASaturatedColour) {
               "wrong: it turns Rec.709 red into (0.692, 0.045, -0.002) in \"lin_rec709\", which should be (1.000, "
               "0.000, 0.000); correct "
               "the config, "
-              "or name its scene-referred CIE XYZ D65 space as `interchange`");
+              "or name its scene-referred CIE XYZ D65 space as `interchange` or its ACES2065-1 space as "
+              "`aces_interchange`");
 }
 
 TEST(Interchange, InterchangeOfTheSceneOverrulesAWrongRole) {
@@ -274,7 +276,7 @@ TEST(Interchange, RoleThatColoursWhiteIsRefusedForSpacesAndForViews) {
         "with it, D65 white "
         "becomes (1.205, 0.948, 0.909) in \"Studio Linear\"; correct the config, or name its scene-referred CIE XYZ "
         "D65 space as "
-        "`interchange`";
+        "`interchange` or its ACES2065-1 space as `aces_interchange`";
     EXPECT_EQ(message_of([] { opened("wrong_white.ocio").to_colour_space("Studio Linear", where); }), message);
     EXPECT_EQ(message_of([] { opened("wrong_white.ocio").to_display("", "", where); }), message);
 }
@@ -285,13 +287,14 @@ TEST(Interchange, RolesThatContradictEachOtherAreRefused) {
               "XYZ\") of "
               "config \"contradicting_roles.ocio (studio)\" contradict each other; correct the config, or name its "
               "scene-referred "
-              "CIE XYZ D65 space as `interchange`");
+              "CIE XYZ D65 space as `interchange` or its ACES2065-1 space as `aces_interchange`");
 }
 
 TEST(Interchange, ConfigWithoutRolesNeedsAnInterchangeAndTakesIt) {
     EXPECT_EQ(message_of([] { opened("no_interchange.ocio").to_colour_space("Studio Linear", where); }),
               "scene.toml:4: config \"no_interchange.ocio (studio)\" has neither role \"aces_interchange\" nor role "
-              "\"cie_xyz_d65_interchange\"; add one, or name its scene-referred CIE XYZ D65 space as `interchange`");
+              "\"cie_xyz_d65_interchange\"; add one, or name its scene-referred CIE XYZ D65 space as `interchange` "
+              "or its ACES2065-1 space as `aces_interchange`");
     const ColourConfig config = opened("no_interchange.ocio", "Studio XYZ");
     const ColourTransform transform = config.to_colour_space("scene_linear", where);
     EXPECT_EQ(transform.name(), "Studio Linear");
@@ -316,6 +319,61 @@ TEST(Interchange, InterchangeThatIsNotXyzIsRefused) {
               "scene.toml:4: unknown colour space \"Studio XYY\" in config \"no_interchange.ocio (studio)\"; nearest: "
               "Studio XYZ, "
               "Studio Old");
+}
+
+ColourConfig with_aces(const std::string& file, const std::string& aces_interchange) {
+    return ColourConfig::open({data_folder + file, "", "scene.toml:2", aces_interchange});
+}
+
+TEST(Interchange, AnOldAcesConfigHasTheSpaceButNoRoleAndIsOfferedTheKey) {
+    EXPECT_EQ(message_of([] { opened("aces_names_no_role.ocio").to_colour_space("scene_linear", where); }),
+              "scene.toml:4: config \"aces_names_no_role.ocio (old aces)\" has neither role \"aces_interchange\" nor "
+              "role \"cie_xyz_d65_interchange\"; add one, or give [colour] aces_interchange = \"ACES - ACES2065-1\"");
+    const ColourConfig config = with_aces("aces_names_no_role.ocio", "ACES - ACES2065-1");
+    const ColourTransform acescg = config.to_colour_space("scene_linear", where);
+    EXPECT_EQ(acescg.name(), "ACES - ACEScg");
+    EXPECT_EQ(acescg.interop_id(), "lin_ap1_scene");
+    // Rec.709 red in ACEScg, adapted by Bradford: the first column of the matrix that the ACES CG config prints for it.
+    expect_near(acescg.to_rgb(exact_spaces[0].primaries[0]), {0.613097, 0.070194, 0.020616}, 1e-6);
+    expect_near(acescg.to_rgb(white()), {1, 1, 1}, 1e-9);
+    expect_near(config.to_colour_space("Utility - Linear - sRGB", where).to_rgb(exact_spaces[0].primaries[0]),
+                {1, 0, 0}, 1e-9);
+}
+
+// ACEScg keeps white white: only a saturated colour shows the mistake.
+TEST(Interchange, AnAcesInterchangeThatIsNotAcesIsRefused) {
+    const auto message = [](const std::string& file, const std::string& aces) {
+        return message_of([&] { with_aces(file, aces).to_colour_space("scene_linear", where); });
+    };
+    EXPECT_EQ(
+        message("aces_names_no_role.ocio", "ACES - ACEScg"),
+        "scene.toml:4: aces_interchange \"ACES - ACEScg\" of config \"aces_names_no_role.ocio (old aces)\" is "
+        "wrong: it turns Rec.709 red into (0.692, 0.045, -0.002) in \"Utility - Linear - sRGB\", which should be "
+        "(1.000, 0.000, 0.000); correct the config, or name its scene-referred CIE XYZ D65 space as `interchange` "
+        "or its ACES2065-1 space as `aces_interchange`");
+    EXPECT_EQ(message("no_interchange.ocio", "Studio Data"),
+              "scene.toml:4: aces_interchange \"Studio Data\" is a data space of config \"no_interchange.ocio "
+              "(studio)\"; it must be ACES2065-1");
+    EXPECT_EQ(message("no_interchange.ocio", "Studio XYZ").substr(0, 110),
+              "scene.toml:4: aces_interchange \"Studio XYZ\" of config \"no_interchange.ocio (studio)\" is wrong: with "
+              "it, D65 wh");
+    EXPECT_EQ(message("aces_names_no_role.ocio", "ACES - ACES2056-1"),
+              "scene.toml:4: unknown colour space \"ACES - ACES2056-1\" in config \"aces_names_no_role.ocio (old aces)\"; "
+              "nearest: ACES - ACES2065-1");
+}
+
+TEST(Interchange, AnAcesInterchangeOverrulesAWrongRole) {
+    std::ifstream file(data_folder + "aces_names_no_role.ocio");
+    std::string text((std::istreambuf_iterator<char>(file)), {});
+    text.replace(text.find("roles: {"), 8, "roles: {aces_interchange: ACES - ACEScg, ");
+    const std::string wrong = write_file("wrong_role.ocio", text);
+    EXPECT_NE(message_of([&] {
+                  ColourConfig::open({wrong, "", "--ocio"}).to_colour_space("scene_linear", where);
+              }).find("role \"aces_interchange\" (\"ACES - ACEScg\")"),
+              std::string::npos);
+    const auto transform =
+        ColourConfig::open({wrong, "", "--ocio", "ACES - ACES2065-1"}).to_colour_space("scene_linear", where);
+    expect_near(transform.to_rgb(exact_spaces[0].primaries[0]), {0.613097, 0.070194, 0.020616}, 1e-6);
 }
 
 TEST(Interchange, AToneMapOnTheOnlyRoadIsRefused) {
@@ -363,6 +421,17 @@ TEST(Targets, UnknownNamesAreAnsweredWithTheNearest) {
         "scene.toml:4: unknown view \"Film\" of display \"sRGB\" in config \"nacre (built in)\"; known: Standard");
 }
 
+// lin_rec790 and film_rec709 are encoded: the one says so, the other is made of a power.
+TEST(Targets, WhoAsksForALinearSpaceIsOfferedNoEncodedOne) {
+    const std::string unknown = "scene.toml:4: unknown colour space ";
+    EXPECT_EQ(message_of([] { opened("plain_linear.ocio").to_colour_space("lin_rec709", where); }),
+              unknown + "\"lin_rec709\" in config \"plain_linear.ocio (plain)\"; its role scene_linear is \"Linear\"");
+    EXPECT_EQ(message_of([] { opened("plain_linear.ocio").to_colour_space("Linaer", where); }),
+              unknown + "\"Linaer\" in config \"plain_linear.ocio (plain)\"; nearest: Linear");
+    EXPECT_EQ(message_of([] { opened("plain_linear.ocio").to_colour_space("fim_rec709", where); }),
+              unknown + "\"fim_rec709\" in config \"plain_linear.ocio (plain)\"; nearest: film_rec709");
+}
+
 TEST(Targets, DataIsNoColour) {
     EXPECT_EQ(message_of([] { builtin().to_colour_space("data", where); }),
               "scene.toml:4: \"Raw\" is a data space of config \"nacre (built in)\"; a colour space is needed");
@@ -392,6 +461,43 @@ TEST(Opening, EnvironmentNamesTheConfigUnlessThePathDoes) {
               "config.ocio");
     unsetenv("OCIO");
     EXPECT_EQ(ColourConfig::open({}).description(), "nacre (built in)");
+}
+
+TEST(Opening, AConfigKnowsItsNameItsRolesAndWhoChoseIt) {
+    EXPECT_EQ(builtin().name(), "nacre");
+    EXPECT_FALSE(builtin().is_from_environment());
+    const std::string named = data_folder + "plain_linear.ocio";
+    setenv("OCIO", named.c_str(), 1);
+    EXPECT_TRUE(ColourConfig::open({}).is_from_environment());
+    EXPECT_FALSE(opened("plain_linear.ocio").is_from_environment());
+    unsetenv("OCIO");
+    const ColourConfig config = opened("plain_linear.ocio");
+    EXPECT_EQ(config.name(), "plain");
+    EXPECT_EQ(config.space_called("scene_linear"), "Linear");
+    EXPECT_EQ(config.space_called("lin_rec709"), "");
+    EXPECT_EQ(opened("aces-cg-1.0.0/config.ocio").space_called("lin_rec709"), "Linear Rec.709 (sRGB)");
+    EXPECT_EQ(ColourConfig::open({write_file("nameless.ocio",
+                                             "ocio_profile_version: 2\nroles: {default: a}\ncolorspaces:\n"
+                                             "  - !<ColorSpace> {name: a}\n"),
+                                  "", "--ocio"})
+                  .name(),
+              "nacre_colour_config_nameless.ocio");
+}
+
+// With a newer OpenColorIO the archive is a broken one, and the config is read.
+TEST(Opening, WhatANewerOpenColorIoReadsIsRefusedByNameOrRead) {
+    const auto message = [](const std::string& path) {
+        return message_of([&] { ColourConfig::open({path, "", "--ocio"}); });
+    };
+    const std::string archive = write_file("packed.ocioz", "PK\x03\x04...");
+    const std::string answer = message(archive);
+    EXPECT_EQ(answer.substr(0, 21 + archive.size()), "--ocio: OCIO config \"" + archive);
+    EXPECT_EQ(answer.find("yaml-cpp"), std::string::npos) << answer;
+    const std::string inside = message("ocio://cg-config-v1.0.0_aces-v1.3_ocio-v2.1");
+    EXPECT_TRUE(inside == "no error" ||
+                inside.starts_with("--ocio: OCIO config \"ocio://cg-config-v1.0.0_aces-v1.3_ocio-v2.1\" is one that "
+                                   "OpenColorIO contains from version 2.2 on; give a config that OpenColorIO 2.1, "))
+        << inside;
 }
 
 TEST(Opening, WhatIsNoConfigIsRefusedInOneLine) {

@@ -34,6 +34,7 @@ struct BakeOptions {
     std::vector<std::string> only;
     std::vector<std::string> edits;
     std::string ocio;
+    ColourOverride colours;
     std::string shard;
     double accuracy = 0.0;
     std::string effects;
@@ -179,6 +180,7 @@ int run_bake(const BakeOptions& options, bool with_luts, Console& console) {
     request.only = options.only;
     request.edits = scene_edits(options.edits);
     request.strict = options.strict;
+    request.colours = options.colours;
     std::vector<LoadedScene> scenes = open_scenes(options.scenes, request, console);
     if (with_luts) override_accuracy(scenes, accuracy_override(options.accuracy, options.effects));
     const PreviewRule unless_told = with_luts ? PreviewRule::if_few : PreviewRule::if_bare;
@@ -217,6 +219,7 @@ std::vector<Option> shared_options(BakeOptions& options) {
         {.names = "--dry-run",
          .target = &options.dry_run,
          .help = "print which files would be written, and write nothing"}};
+    for (Option& option : colour_options(options.colours)) shared.push_back(std::move(option));
     for (Option& option : preview_options(options.previews)) shared.push_back(std::move(option));
     return shared;
 }

@@ -41,8 +41,8 @@ std::string gamut_text(const Job& job, const GamutReport& gamut, Gamut rule) {
 std::string lut_line(const BakeTask& task, const BakedLut& baked) {
     const PlannedLut& lut = task.decided->lut.lut;
     std::string line = output_files(lut).front() + "  " + size_text(lut.job) + " " +
-                       std::string(name_of(format_words, lut.format)) + "  " + task.decided->space().name() + "  " +
-                       accuracy_text(lut, baked);
+                       std::string(name_of(format_words, lut.format)) + "  " +
+                       space_text(task.decided->space(), *task.scene) + "  " + accuracy_text(lut, baked);
     if (baked.gamut.outside > 0) line += "  " + gamut_text(lut.job, baked.gamut, lut.colour.gamut);
     for (const EffectChoice& choice : task.decided->lut.effects) {
         if (!choice.is_simulated && choice.is_measured)

@@ -29,6 +29,25 @@ Option ocio_option(std::string& file) {
             .value_name = "FILE"};
 }
 
+std::vector<Option> colour_options(ColourOverride& asked) {
+    return {
+        {.names = "--space",
+         .target = &asked.space,
+         .help = "colour space of all LUTs; default: that of the scene, else with $OCIO the role scene_linear of its "
+                 "config, else lin_rec709; nacre list spaces prints the names",
+         .value_name = "NAME"},
+        {.names = "--display",
+         .target = &asked.display,
+         .help = "display of all pictures; default: that of the scene, else the config's; nacre list displays prints "
+                 "the names",
+         .value_name = "NAME"},
+        {.names = "--view",
+         .target = &asked.view,
+         .help = "view of the display, of all pictures; default: that of the scene, or with --display the default "
+                 "of the display",
+         .value_name = "NAME"}};
+}
+
 Option threads_option(int& threads) {
     return {.names = "--threads",
             .target = &threads,

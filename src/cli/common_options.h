@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "cli/options.h"
+#include "pipeline/loaded_scene.h"
 
 namespace nacre {
 
@@ -11,6 +12,8 @@ namespace nacre {
 Option scenes_option(std::vector<std::string>& scenes);
 Option only_option(std::vector<std::string>& names);
 Option ocio_option(std::string& file);
+/// --space, --display and --view.
+std::vector<Option> colour_options(ColourOverride& asked);
 Option threads_option(int& threads);
 Option strict_option(bool& is_strict);
 Option set_option(std::vector<std::string>& edits);

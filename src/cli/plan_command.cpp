@@ -1,5 +1,6 @@
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "cli/commands.h"
@@ -25,6 +26,7 @@ struct PlanOptions {
     std::vector<std::string> only;
     std::vector<std::string> edits;
     std::string ocio;
+    ColourOverride colours;
     double accuracy = 0.0;
     std::string effects;
     int threads = 0;
@@ -65,6 +67,7 @@ int run_plan(const PlanOptions& options, Console& console) {
     request.only = options.only;
     request.edits = scene_edits(options.edits);
     request.strict = options.strict;
+    request.colours = options.colours;
     std::vector<LoadedScene> scenes = open_scenes(options.scenes, request, console);
     override_accuracy(scenes, accuracy_override(options.accuracy, options.effects));
     choose_previews(scenes, {}, PreviewRule::if_few, false);
@@ -91,12 +94,14 @@ Command plan_command() {
                        effects_option(options->effects), only_option(options->only),
                        set_option(options->edits),       ocio_option(options->ocio),
                        threads_option(options->threads), strict_option(options->strict)};
+    for (Option& option : colour_options(options->colours)) command.options.push_back(std::move(option));
     command.footer =
         "\nThe table shows for each LUT its axes, size and number format, how spectra are integrated, the expected "
         "error\n"
         "(CIEDE2000, the largest over the LUT), and the time that one thread of this machine needs. The integral is\n"
         "exact, or the number of wavelengths (nodes; several numbers where more are needed towards grazing angles)\n"
-        "times the number of random thicknesses, of radii or of slices.\n"
+        "times the number of random thicknesses, of radii or of slices. The last column is the colour space, with the\n"
+        "OpenColorIO config that it is from.\n"
         "Below the table stand the parts of the error, the largest first, and the effects of the material: simulated,\n"
         "or negligible because leaving one out changes colours by less than its share of the error bound. Effects are\n"
         "sorted by cost: the share of the bake time that leaving one out would save.\n"

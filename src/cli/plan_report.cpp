@@ -91,15 +91,16 @@ void add_accuracy(Json& json, const DecidedLut& task) {
 
 std::vector<std::string> plan_lines(const std::vector<PlanRow>& rows) {
     std::vector<std::vector<std::string>> cells{
-        {"LUT", "axes", "texels", "format", "integral", "expected dE00", "bake time"}};
+        {"LUT", "axes", "texels", "format", "integral", "expected dE00", "bake time", "space"}};
     for (const PlanRow& row : rows) {
         const ChosenLut& chosen = row.lut->lut;
         const Job& job = chosen.lut.job;
         cells.push_back({chosen.lut.name, axis_text(job.x) + (job.y ? ", " + axis_text(*job.y) : ""), size_text(job),
                          std::string(name_of(format_words, chosen.lut.format)), integration_text(job),
-                         row.lut->space().has_inverse() ? bound_text(chosen) : "unknown", duration_text(row.seconds)});
+                         row.lut->space().has_inverse() ? bound_text(chosen) : "unknown", duration_text(row.seconds),
+                         space_text(row.lut->space(), *row.lut->scene)});
     }
-    return table_lines(cells, {false, false, true, false, false, true, true});
+    return table_lines(cells, {false, false, true, false, false, true, true, false});
 }
 
 // "errors of morpho: interpolation 0.089, storage 0.032", the largest first.
@@ -140,6 +141,8 @@ Json plan_json(const PlanRow& row) {
     json["width"] = job.width;
     json["height"] = job.height;
     json["format"] = name_of(format_words, lut.format);
+    json["colour_space"] = task.space().name();
+    json["colour_config"] = task.scene->source.config;
     add_sampling(json, job);
     add_picks(json, task.scene->plan, job.material.name);
     add_accuracy(json, task);

@@ -29,6 +29,10 @@ std::string duration_text(double seconds) {
     return seconds < 1.0 ? short_number(seconds * 1e3) + " ms" : short_number(seconds) + " s";
 }
 
+std::string space_text(const ColourSpace& space, const LoadedScene& scene) {
+    return space.name() + " (config " + scene.source.name + ")";
+}
+
 Json work_json(const Work& work) {
     Json effects = Json::object();
     for (const EffectRow& row : effect_rows()) {

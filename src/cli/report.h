@@ -3,8 +3,10 @@
 #include <string>
 
 #include "nacre/accuracy/choose_lut.h"
+#include "nacre/lut/colour_space.h"
 #include "nacre/shade/work.h"
 #include "pipeline/json.h"
+#include "pipeline/loaded_scene.h"
 
 namespace nacre {
 
@@ -13,6 +15,9 @@ std::string short_number(double value);
 
 /// "0.083 ms", "1.2 s".
 std::string duration_text(double seconds);
+
+/// "lin_rec709 (config nacre)": the space of a LUT, and the config that it is from.
+std::string space_text(const ColourSpace& space, const LoadedScene& scene);
 
 /// How many of each kind of step a computation took.
 Json work_json(const Work& work);

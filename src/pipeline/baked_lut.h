@@ -37,6 +37,7 @@ struct BakedLut {
 struct ColourSource {
     std::string config;  ///< description, without a folder
     std::string hash;
+    std::string name{};  ///< the config in a word, for lines about a LUT
 };
 
 /// How LUTs are encoded in a space under a gamut rule. Refers to the space, which has to outlive it.

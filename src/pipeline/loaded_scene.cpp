@@ -3,6 +3,8 @@
 #include "pipeline/loaded_scene.h"
 
 #include <algorithm>
+#include <array>
+#include <iterator>
 #include <map>
 #include <memory>
 #include <utility>
@@ -10,6 +12,7 @@
 #include "io/scene/scene_file.h"
 #include "io/scene/variants.h"
 #include "nacre/base/error.h"
+#include "nacre/base/names.h"
 #include "nacre/lut/formats.h"
 #include "nacre/lut/gamut.h"
 #include "nacre/lut/planned_lut.h"
@@ -22,21 +25,37 @@
 namespace nacre {
 namespace {
 
-// What configs call linear Rec.709, nacre's default space, when they do not call it lin_rec709.
-constexpr const char* linear_rec709_names[] = {"lin_rec709_scene", "Linear Rec.709 (sRGB)", "lin_srgb",
+// nacre's default space, linear Rec.709, and what configs call it that have no lin_rec709.
+constexpr const char* default_space_names[] = {"lin_rec709", "lin_rec709_scene", "Linear Rec.709 (sRGB)", "lin_srgb",
                                                "Utility - Linear - sRGB"};
+constexpr const char* scene_linear_role = "scene_linear";
 
-bool contains(const std::vector<std::string>& names, const std::string& name) {
-    return std::find(names.begin(), names.end(), name) != names.end();
+[[noreturn]] void throw_no_default(const std::string& where, const ColourSpaces& colours) {
+    const std::string linear = colours.space_called(scene_linear_role);
+    const std::vector<std::string> known = colours.names();
+    throw Error(
+        where + ": config " + in_quotes(colours.description()) +
+        " has no lin_rec709, which is nacre's default space; name one of its spaces with [colour] space or --space" +
+        (linear.empty() ? "; known: " + comma_separated(known)
+                        : ", for example " + in_quotes(linear) + ", its role scene_linear"));
 }
 
-// What the config calls the space that nobody named.
-void find_default_name(LutColour& colour, const ColourSpaces& colours) {
+// The space of a scene that names none. $OCIO is set for all programs of a pipeline: with it nacre works in the linear
+// space in which they work. A config that was named for nacre is asked for nacre's own default.
+void choose_default_space(LutColour& colour, const ColourSpaces& colours, const std::string& scene_path) {
     if (colour.is_space_given) return;
-    const std::vector<std::string> known = colours.names();
-    const auto other = std::find_if(std::begin(linear_rec709_names), std::end(linear_rec709_names),
-                                    [&](const char* candidate) { return contains(known, candidate); });
-    if (!contains(known, colour.space) && other != std::end(linear_rec709_names)) colour.space = *other;
+    const bool is_piped = colours.is_from_environment();
+    if (is_piped && colour.where.empty()) colour.where = "$OCIO";
+    const std::string linear = is_piped ? colours.space_called(scene_linear_role) : std::string();
+    if (!linear.empty()) {
+        colour.space = linear;
+        return;
+    }
+    const auto name = std::find_if(std::begin(default_space_names), std::end(default_space_names),
+                                   [&](const char* candidate) { return !colours.space_called(candidate).empty(); });
+    if (name == std::end(default_space_names))
+        throw_no_default(colour.where.empty() ? scene_path : colour.where, colours);
+    colour.space = *name;
 }
 
 // Opens the space, and gives it the name that its config has for it.
@@ -52,17 +71,54 @@ void open_space(LutColour& colour, LoadedScene& scene) {
     scene.spaces.emplace(space->name(), space);
 }
 
+// A config need not have a default space that no LUT and no swatch is left to.
+bool needs_scene_space(const Plan& plan) {
+    const auto names_one = [](const auto& lut_or_swatch) { return lut_or_swatch.colour.is_space_given; };
+    return plan.colour.is_space_given || plan.luts.empty() ||
+           !std::all_of(plan.luts.begin(), plan.luts.end(), names_one) ||
+           !std::all_of(plan.swatches.begin(), plan.swatches.end(), names_one);
+}
+
 void open_spaces(Plan& plan, LoadedScene& scene) {
     // A LUT that names no space has the scene's.
-    find_default_name(plan.colour, *scene.colours);
+    if (needs_scene_space(plan)) {
+        choose_default_space(plan.colour, *scene.colours, scene.path);
+        open_space(plan.colour, scene);
+    }
     const std::string scene_space = plan.colour.space;
-    open_space(plan.colour, scene);
     const auto open = [&](LutColour& colour) {
         if (!colour.is_space_given) colour.space = scene_space;
         open_space(colour, scene);
     };
     for (PlannedLut& lut : plan.luts) open(lut.colour);
     for (PlannedSwatch& swatch : plan.swatches) open(swatch.colour);
+}
+
+void override_colours(Plan& plan, const ColourOverride& asked) {
+    const auto set_space = [&](LutColour& colour) {
+        if (asked.space.empty()) return;
+        colour.space = asked.space;
+        colour.is_space_given = true;
+        colour.where = "--space";
+    };
+    set_space(plan.colour);
+    for (PlannedLut& lut : plan.luts) set_space(lut.colour);
+    for (PlannedSwatch& swatch : plan.swatches) {
+        set_space(swatch.colour);
+        // The view that a scene names is one of the display that it names.
+        if (!asked.display.empty()) {
+            swatch.display = asked.display;
+            swatch.view.clear();
+        }
+        if (!asked.view.empty()) swatch.view = asked.view;
+    }
+}
+
+// A display of the command line is looked up even if no picture needs it, so that its mistakes are always found.
+void open_display_of_command_line(LoadedScene& scene, const ColourOverride& asked) {
+    if (asked.display.empty() && asked.view.empty()) return;
+    const std::string where = asked.display.empty() ? "--view" : asked.view.empty() ? "--display" : "--display, --view";
+    scene.default_display = scene.colours->display_view(asked.display, asked.view, where);
 }
 
 // The texels of a LUT become a picture by way of XYZ.
@@ -93,8 +149,10 @@ LoadedScene with_colours(Plan plan, const std::string& path, const SceneRequest&
     LoadedScene scene;
     scene.path = path;
     scene.colours = request.open_colours(config_choice(plan.colour, path, request.config));
-    scene.source = {scene.colours->description(), scene.colours->content_hash()};
+    scene.source = {scene.colours->description(), scene.colours->content_hash(), scene.colours->short_name()};
+    override_colours(plan, request.colours);
     open_spaces(plan, scene);
+    open_display_of_command_line(scene, request.colours);
     if (request.want_swatches) {
         for (const PlannedSwatch& swatch : plan.swatches) {
             scene.displays.push_back(scene.colours->display_view(
@@ -108,10 +166,10 @@ LoadedScene with_colours(Plan plan, const std::string& path, const SceneRequest&
 
 // Opens each config once for all variants of a scene.
 OpenColourSpaces opened_once(const OpenColourSpaces& open) {
-    using Key = std::pair<std::string, std::string>;
+    using Key = std::array<std::string, 3>;
     const auto opened = std::make_shared<std::map<Key, std::shared_ptr<const ColourSpaces>>>();
     return [open, opened](const ColourConfigChoice& choice) {
-        auto& spaces = (*opened)[Key(choice.path, choice.interchange)];
+        auto& spaces = (*opened)[Key{choice.path, choice.interchange, choice.aces_interchange}];
         if (spaces == nullptr) spaces = open(choice);
         return spaces;
     };

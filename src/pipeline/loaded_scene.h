@@ -15,10 +15,19 @@
 
 namespace nacre {
 
+/// What a command line says of colours: it wins over the scene, and over the tables of its LUTs and swatches. Empty:
+/// the scene decides.
+struct ColourOverride {
+    std::string space;
+    std::string display;  ///< of all pictures; with its default view unless `view` is given
+    std::string view;
+};
+
 /// What of a scene is wanted, and where its colour spaces come from.
 struct SceneRequest {
     OpenColourSpaces open_colours;
-    std::string config;             ///< colour config of the front end (--ocio); wins over the scene's. May be empty
+    std::string config;  ///< colour config of the front end (--ocio); wins over the scene's. May be empty
+    ColourOverride colours;
     bool want_swatches = true;      ///< whether displays and views are needed
     std::vector<std::string> only;  ///< names of LUTs and swatches; empty: all
     std::vector<SceneEdit> edits;   ///< made in every scene before it is planned
@@ -41,13 +50,15 @@ struct LoadedScene {
     std::shared_ptr<const ColourSpaces> colours;                       ///< the scene's config
     std::map<std::string, std::shared_ptr<const ColourSpace>> spaces;  ///< of the scene and of its LUTs, by name
     std::vector<std::shared_ptr<const ColourSpace>> displays;  ///< as many as the plan has swatches, if they are wanted
-    std::shared_ptr<const ColourSpace> default_display;  ///< if a LUT asks for a png; else null until it is opened
+    /// The config's default, or what the command line asks for. If a LUT asks for a png, or the command line for a
+    /// display; else null until it is opened.
+    std::shared_ptr<const ColourSpace> default_display;
 
     /// @pre the colour is that of the plan, of one of its LUTs or of one of its swatches
     const ColourSpace& space_of(const LutColour& colour) const { return *spaces.at(colour.space); }
 };
 
-/// Opens the scene's default display and view, unless that was done.
+/// Opens the display and view of pictures that name none, unless that was done.
 /// @param where  who needs them, for messages
 /// @throws Error if its config has none
 void open_default_display(LoadedScene& scene, const std::string& where);

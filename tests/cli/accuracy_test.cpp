@@ -42,7 +42,7 @@ TEST(Accuracy, AskedAndReachedStandInHeaderManifestAndSummary) {
     EXPECT_EQ(accuracy["max_de00"], 0.5);
     EXPECT_EQ(accuracy["reached"], reached);
     EXPECT_NEAR(accuracy["predicted"].get<double>(), reached, 0.01 * reached);
-    EXPECT_NE(result.out.find("morpho.exr  128 x 1 half  lin_rec709  dE00 0.41 of 0.5"), std::string::npos)
+    EXPECT_NE(result.out.find("morpho.exr  128 x 1 half  lin_rec709 (config nacre)  dE00 0.41 of 0.5"), std::string::npos)
         << result.out;
 }
 
@@ -126,7 +126,7 @@ TEST(Accuracy, WhoGivesASizeAndNoBoundGetsWhatHeAskedForAndIsToldTheError) {
     const TemporaryFolder folder;
     const ProgramResult result = bake(folder, std::string("[accuracy]\nsize = 16\n") + morpho, {});
     EXPECT_EQ(result.exit_code, 0) << result.err;
-    EXPECT_EQ(result.out.find("morpho.exr  16 x 1 half  lin_rec709  dE00 20  "), 0U) << result.out;
+    EXPECT_EQ(result.out.find("morpho.exr  16 x 1 half  lin_rec709 (config nacre)  dE00 20  "), 0U) << result.out;
     EXPECT_EQ(read_lut((folder.path() / "out/morpho.exr").string()).header.value("accuracyAsked"), "none");
     const auto manifest = nlohmann::json::parse(file_bytes(folder.path() / "out/morpho.json"));
     EXPECT_TRUE(manifest["accuracy"]["max_de00"].is_null());

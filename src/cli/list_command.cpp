@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <memory>
 #include <string>
 #include <vector>
@@ -6,14 +7,18 @@
 #include "cli/common_options.h"
 #include "cli/text_table.h"
 #include "io/ocio/ocio_spaces.h"
+#include "nacre/base/error.h"
+#include "nacre/base/names.h"
+#include "nacre/base/text.h"
 #include "pipeline/json.h"
+#include "pipeline/listed_table.h"
 #include "pipeline/name_lists.h"
 
 namespace nacre {
 namespace {
 
 struct ListOptions {
-    std::string list;
+    std::vector<std::string> words;
     std::string ocio;
 };
 
@@ -28,42 +33,78 @@ void print_titles(Console& console) {
     if (console.json()) console.result_json(Json{{"lists", json}});
 }
 
-void print_names(const ListOptions& options, Console& console) {
+void print_names(const std::string& list, const std::string& ocio, Console& console) {
     std::vector<std::vector<std::string>> rows;
     Json json = Json::array();
-    for (const ListedName& one : listed_names(options.list, open_ocio_spaces, {options.ocio, "", "--ocio"})) {
+    for (const ListedName& one : listed_names(list, open_ocio_spaces, {ocio, "", "--ocio"})) {
         rows.push_back({one.name, one.description});
         json.push_back(Json{{"name", one.name}, {"description", one.description}});
     }
     for (const std::string& line : table_lines(rows)) console.summary(line);
-    if (console.json()) console.result_json(Json{{"list", options.list}, {"names", json}});
+    if (console.json()) console.result_json(Json{{"list", list}, {"names", json}});
 }
 
-std::vector<std::string> list_names() {
-    std::vector<std::string> names;
-    for (const ListTitle& title : list_titles()) names.push_back(title.name);
-    return names;
+// The result itself, so --quiet prints it too.
+void print_table(const std::string& list, const std::string& name, Console& console) {
+    const ListedTable table = listed_table(list, name);
+    if (console.json()) {
+        Json rows = Json::array();
+        for (const std::vector<double>& row : table.rows) rows.push_back(row);
+        console.result_json(Json{{"list", list}, {"name", name}, {"columns", table.columns}, {"rows", rows}});
+        return;
+    }
+    std::string heading;
+    for (const std::string& column : table.columns) heading += (heading.empty() ? "" : ",") + column;
+    console.result(heading);
+    for (const std::vector<double>& row : table.rows) {
+        std::string line;
+        for (const double number : row) line += (line.empty() ? "" : ",") + number_text(number);
+        console.result(line);
+    }
+}
+
+void check_words(const std::vector<std::string>& words) {
+    std::vector<std::string> known;
+    for (const ListTitle& title : list_titles()) known.push_back(title.name);
+    if (!words.empty() && std::find(known.begin(), known.end(), words[0]) == known.end())
+        throw Error("LIST " + in_quotes(words[0]) + " is unknown; known: " + comma_separated(known) +
+                    "; see nacre list --help");
+    if (words.size() > 2) throw Error("unexpected argument " + in_quotes(words[2]) + "; see nacre list --help");
+}
+
+int run_list(const ListOptions& options, Console& console) {
+    const std::vector<std::string>& words = options.words;
+    check_words(words);
+    if (words.empty()) {
+        print_titles(console);
+    } else if (words.size() == 1) {
+        print_names(words[0], options.ocio, console);
+    } else {
+        print_table(words[0], words[1], console);
+    }
+    return exit_done;
 }
 
 }  // namespace
 
 Command list_command() {
     const auto options = std::make_shared<ListOptions>();
-    Command command{"list", "print the names that a scene may use", {}, {}};
+    Command command{"list", "print the names that a scene may use, and the CIE tables", {}, {}};
     command.options = {
         {.names = "LIST",
-         .target = &options->list,
-         .help = "materials, spaces, displays, illuminants, mechanisms, axes, ...; without it, all lists",
-         .allowed = list_names()},
+         .target = &options->words,
+         .help = "materials, spaces, displays, illuminants, mechanisms, axes, ...; without it, all lists. The name of "
+                 "an illuminant or of an observer behind its list prints its table as CSV"},
         ocio_option(options->ocio)};
     command.footer =
         "\nThe colour spaces and the displays are those of the OpenColorIO config: --ocio, else $OCIO, else the "
         "config\n"
-        "that nacre contains.\n\nExamples:\n  nacre list materials\n  nacre list spaces --ocio config.ocio\n";
-    command.run = [options](Console& console) -> int {
-        options->list.empty() ? print_titles(console) : print_names(*options, console);
-        return exit_done;
-    };
+        "that nacre contains. A table has the numbers of the CIE: the relative power of an illuminant, in the form "
+        "that\n"
+        "[light] reads, or the colour matching functions of an observer.\n\nExamples:\n  nacre list materials\n"
+        "  nacre list spaces --ocio config.ocio\n  nacre list illuminants FL11\n"
+        "  nacre list observers cie1931_2deg\n";
+    command.run = [options](Console& console) { return run_list(*options, console); };
     return command;
 }
 

@@ -6,12 +6,14 @@
 #include <vector>
 
 #include "cli/commands.h"
+#include "cli/common_options.h"
 #include "cli/scenes.h"
+#include "cli/spectrum_points.h"
 #include "cli/stop_signal.h"
-#include "io/scene/curve_csv.h"
-#include "nacre/base/error.h"
+#include "nacre/base/image.h"
 #include "nacre/base/text.h"
-#include "nacre/shade/spectra.h"
+#include "nacre/lut/encoding.h"
+#include "pipeline/baked_lut.h"
 #include "pipeline/json.h"
 #include "pipeline/loaded_scene.h"
 #include "pipeline/spectrum.h"
@@ -21,23 +23,16 @@ namespace {
 
 struct SpectrumOptions {
     std::string scene;
-    std::vector<std::string> materials;
-    std::vector<double> angles_deg;
-    std::string points;
+    SpectrumRequest request;
+    double step_nm = 1.0;
     bool xyz = false;
+    bool rgb = false;
+    std::vector<std::string> edits;
+    std::string ocio;
 };
 
-// One row that is asked for. The texts are the user's own, so that rows can be joined with what he has.
-struct Point {
-    const Material* material = nullptr;
-    std::string angle_text;
-    double angle_deg = 0.0;
-    std::string wavelength_text;
-    double wavelength_nm = 0.0;
-};
-
-// A millimetre, far beyond the tables of all materials.
-constexpr double longest_wavelength_nm = 1e6;
+// Steps of [light] range_nm: from a picometre to all of it.
+constexpr Allowed allowed_step{0.001, 470.0};
 
 // A table of text and numbers that is printed as CSV (17 digits, so that a double comes back) or as JSON.
 class Report {
@@ -55,8 +50,7 @@ public:
         throw_if_stopped();
         if (console_.json()) {
             Json object = Json::object();
-            object[text_names_.front()] = texts.front();
-            for (std::size_t i = 1; i < texts.size(); ++i) object[text_names_[i]] = std::stod(texts[i]);
+            for (std::size_t i = 0; i < texts.size(); ++i) object[text_names_[i]] = json_of(text_names_[i], texts[i]);
             for (std::size_t i = 0; i < numbers.size(); ++i) object[number_names_[i]] = numbers[i];
             json_.push_back(object);
             return;
@@ -76,160 +70,181 @@ public:
     }
 
 private:
+    // All columns but one hold numbers; an empty field is a parameter that stays as it is.
+    static Json json_of(const std::string& column, const std::string& text) {
+        if (column == "material") return text;
+        return text.empty() ? Json() : Json(std::stod(text));
+    }
+
     Console& console_;
     std::vector<std::string> text_names_;
     std::vector<std::string> number_names_;
     Json json_ = Json::array();
 };
 
-// ---- which points are asked for
-
-std::vector<Point> points_of_options(const Plan& plan, const SpectrumOptions& options) {
-    std::vector<std::string> names = options.materials;
-    if (names.empty()) {
-        for (const Material& candidate : plan.materials) names.push_back(candidate.name);
-    }
-    std::vector<double> angles_deg = options.angles_deg;
-    if (angles_deg.empty()) angles_deg = {0.0};
-    std::vector<Point> points;
-    for (const std::string& name : names) {
-        for (const double angle_deg : angles_deg) {
-            const Material& asked = material_named(plan, name, "--material");
-            check_angle(angle_deg, asked.mechanism, "--angle");
-            points.push_back({&asked, number_text(angle_deg), angle_deg, {}, 0.0});
-        }
-    }
-    return points;
-}
-
-Point point_of_row(const Plan& plan, const SpectrumOptions& options, const CsvRow& row) {
-    const std::string line = options.points + ":" + std::to_string(row.line) + ":";
-    const std::string where = line + std::to_string(row.columns.front());
-    if (row.fields.size() != (options.xyz ? 2U : 3U)) {
-        throw Error(where + ": has " + std::to_string(row.fields.size()) + " columns; give " +
-                    (options.xyz ? "material,angle_deg" : "material,angle_deg,wavelength_nm"));
-    }
-    Point point{
-        &material_named(plan, row.fields[0], where), row.fields[1], csv_number(options.points, row, 1), {}, 0.0};
-    check_angle(point.angle_deg, point.material->mechanism, line + std::to_string(row.columns[1]));
-    if (options.xyz) return point;
-    point.wavelength_text = row.fields[2];
-    point.wavelength_nm = csv_number(options.points, row, 2);
-    if (!(point.wavelength_nm > 0.0 && point.wavelength_nm <= longest_wavelength_nm)) {
-        throw Error(where + ": wavelength " + row.fields[2] + " is out of range; allowed (0, " +
-                    number_text(longest_wavelength_nm) + "] nm");
-    }
-    check_wavelength(*point.material, point.wavelength_nm, point.wavelength_text,
-                     line + std::to_string(row.columns[2]));
-    return point;
-}
-
-std::vector<Point> points_of_file(const Plan& plan, const SpectrumOptions& options) {
-    std::vector<CsvRow> rows = read_csv(options.points);
-    if (!rows.empty() && rows.front().fields.size() >= 2 && rows.front().fields[1] == "angle_deg")
-        rows.erase(rows.begin());
-    std::vector<Point> points;
-    points.reserve(rows.size());
-    for (const CsvRow& row : rows) points.push_back(point_of_row(plan, options, row));
-    return points;
-}
-
 // ---- what is printed
 
-void print_spectra(const std::vector<Point>& points, const Plan& plan, Console& console) {
-    const std::vector<double> wavelengths_nm = every_nanometre(*plan.light);
-    Report report(console, {"material", "angle_deg"}, {"wavelength_nm", "R_s", "R_p", "R"});
-    for (const Point& point : points) {
-        const Mechanism& mechanism = point.material->mechanism;
-        const std::vector<Response> responses =
-            responses_at(mechanism, geometry_at_angle(mechanism, point.angle_deg), wavelengths_nm);
+std::vector<std::string> with_column(std::vector<std::string> columns, const char* one) {
+    columns.emplace_back(one);
+    return columns;
+}
+
+void print_spectra(const SpectrumTable& table, const std::vector<double>& wavelengths_nm, Console& console) {
+    Report report(console, with_column(table.columns, "wavelength_nm"), {"R_s", "R_p", "R"});
+    for (const SpectrumPoint& point : table.points) {
+        const std::vector<Response> responses = responses_at(point.material->mechanism, point.geometry, wavelengths_nm);
         for (std::size_t i = 0; i < responses.size(); ++i) {
             const Response& r = responses[i];
-            report.row({point.material->name, point.angle_text},
-                       {wavelengths_nm[i], r.reflectance_s, r.reflectance_p, r.reflectance()});
+            report.row({point.texts[0], point.texts[1], number_text(wavelengths_nm[i])},
+                       {r.reflectance_s, r.reflectance_p, r.reflectance()});
         }
     }
     report.finish();
 }
 
-void print_points(const std::vector<Point>& points, Console& console) {
-    Report report(console, {"material", "angle_deg", "wavelength_nm"}, {"R_s", "R_p", "T_s", "T_p"});
-    for (const Point& point : points) {
-        const Mechanism& mechanism = point.material->mechanism;
-        const Response response =
-            response_at(mechanism, geometry_at_angle(mechanism, point.angle_deg), point.wavelength_nm);
-        report.row(
-            {point.material->name, point.angle_text, point.wavelength_text},
-            {response.reflectance_s, response.reflectance_p, response.transmittance_s, response.transmittance_p});
+void print_points(const SpectrumTable& table, Console& console) {
+    Report report(console, table.columns, {"R_s", "R_p", "T_s", "T_p"});
+    Mechanism changed;
+    for (const SpectrumPoint& point : table.points) {
+        const Response r = response_at(mechanism_of(table, point, changed), point.geometry, point.wavelength_nm);
+        report.row(point.texts, {r.reflectance_s, r.reflectance_p, r.transmittance_s, r.transmittance_p});
     }
     report.finish();
 }
 
-void print_xyz(const std::vector<Point>& points, const Plan& plan, Console& console) {
-    Report report(console, {"material", "angle_deg"}, {"X", "Y", "Z", "X_adapted", "Y_adapted", "Z_adapted"});
-    for (const Point& point : points) {
-        const auto [seen, adapted] = exact_colour_at(*point.material, point.angle_deg, *plan.light);
-        report.row({point.material->name, point.angle_text}, {seen.x, seen.y, seen.z, adapted.x, adapted.y, adapted.z});
+// @param row  what a colour becomes
+template <typename Row>
+void print_colours(const SpectrumTable& table, const Light& light, Report& report, const Row& row) {
+    ExactColours colours(light);
+    Mechanism changed;
+    for (const SpectrumPoint& point : table.points) {
+        throw_if_stopped();
+        const Mechanism& mechanism = mechanism_of(table, point, changed);
+        report.row(point.texts, row(exact_colour_at(mechanism, point.geometry, light, colours)));
     }
     report.finish();
+}
+
+void print_xyz(const SpectrumTable& table, const Light& light, Console& console) {
+    Report report(console, table.columns, {"X", "Y", "Z", "X_adapted", "Y_adapted", "Z_adapted"});
+    print_colours(table, light, report, [](const ExactColour& colour) {
+        const auto& [seen, adapted] = colour;
+        return std::vector<double>{seen.x, seen.y, seen.z, adapted.x, adapted.y, adapted.z};
+    });
+}
+
+void print_rgb(const SpectrumTable& table, const LoadedScene& scene, Console& console) {
+    const ColourSpace& space = scene.space_of(scene.plan.colour);
+    const Encoding encoding = lut_encoding(space, scene.plan.colour.gamut);
+    console.note(scene.path + ": R, G, B are of " + space.name() + ", OpenColorIO config " + scene.source.config);
+    Report report(console, table.columns, {"R", "G", "B"});
+    print_colours(table, *scene.plan.light, report, [&](const ExactColour& colour) {
+        const Rgb rgb = encoding.to_rgb(Image<Xyz>(1, 1, colour.adapted)).at(0, 0);
+        return std::vector<double>{rgb.r, rgb.g, rgb.b};
+    });
 }
 
 int run_spectrum(const SpectrumOptions& options, Console& console) {
-    SceneRequest request = scene_request("", console);
+    SceneRequest request = scene_request(options.ocio, console);
+    request.edits = scene_edits(options.edits);
     request.all_materials = true;
+    request.any_thickness = true;  // only colours need fringes resolved, and their rows are checked
+    request.want_swatches = false;
     request.on_warning = {};  // standard output is a table; warnings are those of `nacre plan`
-    const Plan plan = plan_file(options.scene, request);
-    const std::vector<Point> points =
-        options.points.empty() ? points_of_options(plan, options) : points_of_file(plan, options);
-    if (options.xyz) {
-        print_xyz(points, plan, console);
-    } else if (options.points.empty()) {
-        print_spectra(points, plan, console);
+    LoadedScene scene;
+    if (options.rgb) {
+        scene = load_scene(options.scene, request);
     } else {
-        print_points(points, console);
+        scene.plan = plan_file(options.scene, request);
+    }
+    const Light& light = *scene.plan.light;
+    SpectrumRequest rows = options.request;
+    rows.wants_colour = options.xyz || options.rgb;
+    const SpectrumTable table = spectrum_table(scene.plan, rows);
+    if (options.rgb) {
+        print_rgb(table, scene, console);
+    } else if (options.xyz) {
+        print_xyz(table, light, console);
+    } else if (rows.points.empty()) {
+        print_spectra(table, wavelengths_of(light, options.step_nm), console);
+    } else {
+        print_points(table, console);
     }
     return exit_done;
+}
+
+// Which rows.
+std::vector<Option> row_options(SpectrumOptions& options) {
+    return {
+        {.names = "SCENE", .target = &options.scene, .help = "scene file (TOML)", .is_required = true},
+        {.names = "--material",
+         .target = &options.request.materials,
+         .help = "only these materials of the scene, as in --material a b or --material a,b; default: all",
+         .value_name = "NAME",
+         .is_list = true},
+        {.names = "--angle",
+         .target = &options.request.angles,
+         .help = "angles in degrees from the normal, 0 to 90; for scattering, the scattering angle, 0 to 180 (0 is "
+                 "straight on): --angle 0 20 40, or ranges FIRST:LAST:STEP: --angle 0:60:10 60:90:1; default: 0",
+         .value_name = "DEG",
+         .is_list = true},
+        {.names = "--grating-u",
+         .target = &options.request.grating_us,
+         .help = "for gratings, instead of --angle: sin of the light's angle + sin of the eye's, -2 to 2, as numbers "
+                 "and ranges: --grating-u 0:2:0.01; without --material, all gratings of the scene",
+         .value_name = "U",
+         .is_list = true,
+         .excludes = {"--angle"}},
+        {.names = "--step",
+         .target = &options.step_nm,
+         .help = "distance of the wavelengths of a spectrum in nm; default: 1",
+         .value_name = "NM",
+         .range = allowed_step},
+        {.names = "--points",
+         .target = &options.request.points,
+         .help = "CSV file with rows material,angle_deg,wavelength_nm (with --xyz or --rgb: material,angle_deg); "
+                 "prints R_s,R_p,T_s,T_p for each row. A heading may name the columns in any order, grating_u instead "
+                 "of angle_deg, and parameters of the materials such as thickness_nm; an empty field is the scene's "
+                 "own value",
+         .value_name = "FILE",
+         .excludes = {"--material", "--angle", "--grating-u", "--step"}}};
+}
+
+// What they hold.
+std::vector<Option> output_options(SpectrumOptions& options) {
+    return {{.names = "--xyz",
+             .target = &options.xyz,
+             .help = "print X, Y, Z under the scene's light, before and after adaptation to D65",
+             .excludes = {"--step"}},
+            {.names = "--rgb",
+             .target = &options.rgb,
+             .help = "print R, G, B as a LUT would hold them before rounding: in [colour] space of the scene, with its "
+                     "gamut",
+             .excludes = {"--xyz", "--step"}},
+            set_option(options.edits),
+            ocio_option(options.ocio)};
 }
 
 }  // namespace
 
 Command spectrum_command() {
     const auto options = std::make_shared<SpectrumOptions>();
-    Command command{"spectrum", "print reflectance spectra, or XYZ, as CSV with 17 digits", {}, {}};
-    command.options = {
-        {.names = "SCENE", .target = &options->scene, .help = "scene file (TOML)", .is_required = true},
-        {.names = "--material",
-         .target = &options->materials,
-         .help = "only these materials of the scene, as in --material a b or --material a,b; default: all",
-         .value_name = "NAME",
-         .is_list = true},
-        {.names = "--angle",
-         .target = &options->angles_deg,
-         .help = "angles in degrees from the normal, 0 to 90; for scattering, the scattering angle, 0 to 180 (0 is "
-                 "straight on): "
-                 "--angle 0 20 40; default: 0",
-         .value_name = "DEG",
-         .is_list = true},
-        {.names = "--points",
-         .target = &options->points,
-         .help = "CSV file with rows material,angle_deg,wavelength_nm (with --xyz: material,angle_deg); prints "
-                 "R_s,R_p,T_s,T_p for each row",
-         .value_name = "FILE",
-         .excludes = {"--material", "--angle"}},
-        {.names = "--xyz",
-         .target = &options->xyz,
-         .help = "print X, Y, Z under the scene's light, before and after adaptation to D65"}};
+    Command command{"spectrum", "print reflectance spectra, XYZ or RGB as CSV with 17 digits", {}, {}};
+    command.options = row_options(*options);
+    for (Option& option : output_options(*options)) command.options.push_back(std::move(option));
     command.footer =
         "\nThe numbers come from the exact model, not from a LUT. Films, stacks and crystals reflect and transmit "
         "light, and\n"
         "absorb what remains. Every other mechanism is opaque (T = 0), and of these only scattering distinguishes s "
         "from\n"
-        "p. R_s, R_p and R are the reflectances of the two polarisations and of unpolarised light. For a grating, "
-        "which\n"
-        "is lit along its normal, R is the power per unit of sin(angle). For scattering, R is 1 if a layer sends all\n"
+        "p. R_s, R_p and R are the reflectances of the two polarisations and of unpolarised light. For a grating "
+        "R\n"
+        "is the power per unit of u; --angle means light along the normal. For scattering, R is 1 if a layer sends "
+        "all\n"
         "light evenly in all directions.\n\nExamples:\n"
         "  nacre spectrum configs/scenes/morpho.toml --material morpho --angle 0 20 40\n"
-        "  nacre spectrum configs/scenes/soap_film.toml --material soap_film --points points.csv\n";
+        "  nacre spectrum configs/scenes/soap_film.toml --material soap_film --angle 0:90:5 --rgb\n"
+        "  nacre spectrum configs/scenes/soap_film.toml --points points.csv\n";
     command.run = [options](Console& console) { return run_spectrum(*options, console); };
     return command;
 }

@@ -138,7 +138,7 @@ void open_display_of_pngs(const Plan& plan, LoadedScene& scene) {
 Plan plan_table(const Table& table, const std::string& path, const SceneRequest& request) {
     Plan plan =
         plan_scene(table, scene_files_with_colours(path, request.config, request.open_colours, request.after_step),
-                   {request.only, request.all_materials, request.strict, request.bands});
+                   {request.only, request.all_materials, request.strict, request.any_thickness, request.bands});
     if (request.on_warning) {
         for (const std::string& warning : plan.warnings) request.on_warning(warning);
     }
@@ -209,6 +209,10 @@ void open_default_display(LoadedScene& scene, const std::string& where) {
 
 Plan plan_file(const std::string& path, const SceneRequest& request) {
     return plan_table(edited(read_scene_file(path), request), path, request);
+}
+
+LoadedScene load_scene(const std::string& path, const SceneRequest& request) {
+    return with_colours(plan_file(path, request), path, request);
 }
 
 Plan plan_text(const std::string& text, const std::string& name, const SceneRequest& request) {

@@ -33,6 +33,7 @@ struct SceneRequest {
     std::vector<SceneEdit> edits;   ///< made in every scene before it is planned
     bool all_materials = false;     ///< those too that no LUT and no swatch asks for
     bool strict = false;            ///< whether a picked colour that cannot be reached is an error
+    bool any_thickness = false;     ///< whether layers may be too thick for a LUT
     /// Shared by scenes that are planned one after the other; null: each makes its own, or load_scenes() does.
     std::shared_ptr<KnownBands> bands{};
     /// Called every few steps of a search for what picks ask for; what it throws ends it. May be empty.
@@ -66,7 +67,10 @@ void open_default_display(LoadedScene& scene, const std::string& where);
 /// Reads and plans a scene file, without its colour space and its variants.
 Plan plan_file(const std::string& path, const SceneRequest& request);
 
-/// The same of text that is in memory.
+/// Reads, plans and opens a scene file without its variants.
+LoadedScene load_scene(const std::string& path, const SceneRequest& request);
+
+/// The same of text that is in memory, without its colour space.
 /// @param name  what messages call it
 Plan plan_text(const std::string& text, const std::string& name, const SceneRequest& request);
 

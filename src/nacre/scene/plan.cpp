@@ -146,8 +146,8 @@ Plan plan_scene(const Table& scene, const SceneFiles& files, const PlanRequest& 
     const ColourSettings colour = plan_colour(scene);
 
     const auto bands = request.bands ? request.bands : std::make_shared<KnownBands>();
-    Materials materials(scene, material_context(scene, files, light, colour, bands), light);
-    const SceneParts parts{scene, accuracy, colour, light, materials};
+    Materials materials(scene, material_context(scene, files, light, colour, bands), light, request.any_thickness);
+    const SceneParts parts{scene, accuracy, colour, light, materials, request.any_thickness};
     PlannedLuts luts = plan_luts(parts, request);
     PlannedSwatches swatches = plan_swatches(parts, request, luts.names);
     if (request.all_materials) {

@@ -63,6 +63,7 @@ struct PlanRequest {
     std::vector<std::string> only;
     bool all_materials = false;  ///< those too that no LUT and no swatch asks for
     bool strict = false;         ///< whether a picked colour that no band, film, ... has is an error
+    bool any_thickness = false;  ///< whether layers may be so thick that no sampling of a LUT resolves their fringes
     /// Shared by plans that are made one after the other; null: the plan makes its own.
     std::shared_ptr<KnownBands> bands{};
 

@@ -190,7 +190,7 @@ std::optional<PlannedLut> read_lut(const Table& table, const Table::Entry& entry
     read_outputs(table, lut);
     table.expect_all_read();
     if (material == nullptr || !table.is_good()) return {};
-    if (parts.light != nullptr) check_fringes_of_axes(table, lut.job);
+    if (parts.light != nullptr && !parts.any_thickness) check_fringes_of_axes(table, lut.job);
     return lut;
 }
 

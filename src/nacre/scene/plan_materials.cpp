@@ -33,8 +33,11 @@ void check_fringes(const Table& table, const Mechanism& mechanism, const LightSe
                                   " are allowed; in a stack, mark thick layers with incoherent = true");
 }
 
-Materials::Materials(const Table& scene, SceneContext context, std::shared_ptr<const Light> light)
-    : table_(material_table(scene)), context_(std::move(context)), light_(std::move(light)) {
+Materials::Materials(const Table& scene, SceneContext context, std::shared_ptr<const Light> light, bool any_thickness)
+    : table_(material_table(scene)),
+      context_(std::move(context)),
+      light_(std::move(light)),
+      any_thickness_(any_thickness) {
     if (table_ == nullptr) return;
     for (const Table::Entry& entry : table_->entries()) {
         check_name(entry.key, *table_, entry.key_where);
@@ -56,7 +59,8 @@ std::optional<SceneMaterial> Materials::read_material(const std::string& name) {
         const Table& table = table_->checked_table(entry->key, entry->value);
         ReadMechanism all = read_mechanism(table, context_);
         table.expect_all_read();
-        if (light_ != nullptr && table.is_good()) check_fringes(table, all.mechanism, light_->settings);
+        if (light_ != nullptr && !any_thickness_ && table.is_good())
+            check_fringes(table, all.mechanism, light_->settings);
         if (table.is_good()) read = std::move(all);
     });
     if (!read) return {};

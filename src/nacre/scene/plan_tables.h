@@ -65,7 +65,8 @@ class Materials {
 public:
     /// @param scene  has to outlive this
     /// @param light  null if it has mistakes: then nothing is checked that needs it
-    Materials(const Table& scene, SceneContext context, std::shared_ptr<const Light> light);
+    /// @param any_thickness  see PlanRequest
+    Materials(const Table& scene, SceneContext context, std::shared_ptr<const Light> light, bool any_thickness);
     Materials(const Materials&) = delete;
     Materials& operator=(const Materials&) = delete;
 
@@ -83,6 +84,7 @@ private:
     const Table* table_;  // null: [material] is missing or not a table
     SceneContext context_;
     std::shared_ptr<const Light> light_;
+    bool any_thickness_;
     std::vector<std::string> names_;
     std::map<std::string, std::optional<SceneMaterial>> read_;
     std::vector<MaterialSearch> searches_;
@@ -99,6 +101,7 @@ struct SceneParts {
     ColourSettings colour;
     std::shared_ptr<const Light> light;  ///< null if it has mistakes
     Materials& materials;
+    bool any_thickness = false;  ///< see PlanRequest
 };
 
 /// One [lut.NAME]; nothing if it or its material has mistakes.

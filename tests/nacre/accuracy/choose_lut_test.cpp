@@ -376,11 +376,11 @@ TEST(ChooseLut, TakesNoMoreEvaluationsThanItDid) {
         return work;
     };
     EXPECT_EQ(test::without_effects(choose_lut(requested_lut(test::job_of(test::morpho), 0.1), encoding).work),
-              work_of(11954, 2109, 9845));
+              work_of(4937, 1087, 3850));
     EXPECT_EQ(test::without_effects(choose_lut(requested_lut(test::job_of(test::beetle), 0.01), encoding).work),
-              work_of(9298, 1341, 7957));
+              work_of(4705, 575, 4130));
     EXPECT_EQ(test::without_effects(choose_lut(requested_lut(width_plane(), 1.0), encoding).work),
-              work_of(122609, 7523, 115086));
+              work_of(115635, 7523, 108112));
 }
 
 }  // namespace

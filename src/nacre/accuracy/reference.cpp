@@ -12,7 +12,7 @@
 #include <cstddef>
 #include <numbers>
 
-#include "nacre/colour/cie_tables.h"
+#include "nacre/colour/lamp_weights.h"
 #include "nacre/lut/bake.h"
 #include "nacre/lut/job.h"
 #include "nacre/lut/sampler.h"
@@ -69,13 +69,27 @@ constexpr int base_steps = 2;
 
 Reference::Reference(const Job& job) : job_(job) {
     const LightSettings& light = job.light->settings;
+    has_fine_lines_ = has_fine_lines(light.power, light.first_nm, light.last_nm);
     Xyz white;
     for (int nm = light.first_nm; nm <= light.last_nm; ++nm) {
         const auto& bars = colour_matching(light.observer, nm);
-        const double power = light.power.at(nm);
+        const double power = has_fine_lines_ ? 1.0 : light.power.at(nm);
         weights_.push_back({power * bars[0], power * bars[1], power * bars[2]});
+        kinks_nm_.push_back(nm);
         const double share = nm == light.first_nm || nm == light.last_nm ? 0.5 : 1.0;  // trapezia
         white = plus(white, share, weights_.back());
+    }
+    if (has_fine_lines_) {
+        for (const double nm : light.power.wavelength_nm) {
+            if (nm > light.first_nm && nm < light.last_nm) kinks_nm_.push_back(nm);
+        }
+        std::sort(kinks_nm_.begin(), kinks_nm_.end());
+        white = {};
+        for (std::size_t i = 1; i < kinks_nm_.size(); ++i) {
+            const double length_nm = kinks_nm_[i] - kinks_nm_[i - 1];
+            for (const QuadratureNode& node : smooth_quadrature)
+                white = plus(white, node.share * length_nm, weight_at(kinks_nm_[i - 1] + node.at * length_nm));
+        }
     }
     for (Xyz& weight : weights_) weight = plus({}, 1.0 / white.y, weight);
     white = plus({}, 1.0 / white.y, white);
@@ -86,7 +100,13 @@ Xyz Reference::weight_at(double nm) const {
     const double position = nm - job_.light->settings.first_nm;
     const auto cell = std::min(static_cast<std::size_t>(position), weights_.size() - 2);
     const double along = position - static_cast<double>(cell);
-    return plus(plus({}, 1.0 - along, weights_[cell]), along, weights_[cell + 1]);
+    const Xyz weight = plus(plus({}, 1.0 - along, weights_[cell]), along, weights_[cell + 1]);
+    return has_fine_lines_ ? plus({}, job_.light->settings.power.at(nm), weight) : weight;
+}
+
+// @pre nm is less than the last one
+double Reference::next_kink(double nm) const {
+    return has_fine_lines_ ? *std::upper_bound(kinks_nm_.begin(), kinks_nm_.end(), nm) : std::floor(nm) + 1.0;
 }
 
 Xyz Reference::integral(const Lobe& lobe) const {
@@ -100,7 +120,7 @@ Xyz Reference::integral(const Lobe& lobe) const {
         // The cosine of a narrow band bends within a nanometre.
         const double longest_nm = std::min(1.0, 0.125 * (to_nm - from_nm));
         for (double left = from_nm; left < to_nm;) {
-            const double right = std::min({std::floor(left) + 1.0, to_nm, left + longest_nm});
+            const double right = std::min({next_kink(left), to_nm, left + longest_nm});
             if (!(right > left)) break;  // the rest is narrower than a double resolves
             for (const QuadratureNode& node : quadrature) {
                 const double nm = left + node.at * (right - left);
@@ -198,20 +218,20 @@ double phase_per_part(double fringes, double layers, double cos_theta) {
 
 struct Waves {
     std::vector<double> nm;
-    std::vector<double> share;  // of a nanometre
+    std::vector<double> length_nm;
 };
 
 // @param is_smooth  whether the spectrum has no fringes: then the middles of the parts do
-void add_nanometre(int nm, int parts, bool is_smooth, Waves& waves) {
+void add_piece_of_light(double nm, double length_nm, int parts, bool is_smooth, Waves& waves) {
     for (int part = 0; part < parts; ++part) {
         if (is_smooth) {
-            waves.nm.push_back(nm + (part + 0.5) / parts);
-            waves.share.push_back(1.0 / parts);
+            waves.nm.push_back(nm + length_nm * (part + 0.5) / parts);
+            waves.length_nm.push_back(length_nm / parts);
             continue;
         }
         for (const QuadratureNode& node : smooth_quadrature) {
-            waves.nm.push_back(nm + (part + node.at) / parts);
-            waves.share.push_back(node.share / parts);
+            waves.nm.push_back(nm + length_nm * (part + node.at) / parts);
+            waves.length_nm.push_back(node.share * length_nm / parts);
         }
     }
 }
@@ -229,21 +249,23 @@ Xyz Reference::layered(const Mechanism& mechanism, const Incidence& incidence) c
     const double layers = expanded_layers(ensemble.systems.front());
     const double path_nm = fringes / (1.0 / light.first_nm - 1.0 / light.last_nm);
     const double phase_step = phase_per_part(fringes, layers, incidence.cos_theta);
-    const bool is_smooth = ensemble.systems.size() >= samples_of_smooth_mean;
+    const bool is_smooth = ensemble.systems.size() >= samples_of_smooth_mean && !has_fine_lines_;
     Xyz sum;
     Waves waves;
-    for (int nm = light.first_nm; nm < light.last_nm; ++nm) {
-        const double phase = 2.0 * std::numbers::pi * path_nm / (static_cast<double>(nm) * nm);
+    for (double nm = light.first_nm, next_nm = 0.0; nm < light.last_nm; nm = next_nm) {
+        next_nm = next_kink(nm);
+        const double length_nm = next_nm - nm;
+        const double phase = 2.0 * std::numbers::pi * path_nm / (nm * nm) * length_nm;
         const int parts = std::max(1, static_cast<int>(std::ceil(phase / phase_step)));
-        add_nanometre(nm, parts, is_smooth, waves);
-        if (waves.nm.size() < enough_at_once && nm + 1 < light.last_nm) continue;
+        add_piece_of_light(nm, length_nm, parts, is_smooth, waves);
+        if (waves.nm.size() < enough_at_once && next_nm < light.last_nm) continue;
         const bool by_scalar =
             ensemble.systems.size() == 1 && parts < most_parts_of_scalar && layers <= most_scalar_layers;
         const std::vector<Response> responses = mean_responses(ensemble, incidence, waves.nm, by_scalar);
         for (std::size_t i = 0; i < responses.size(); ++i) {
             const double seen =
                 seen_reflectance(responses[i], waves.nm[i] - light.first_nm, mechanism.effects.polarisation, base);
-            sum = plus(sum, waves.share[i] * seen, weight_at(waves.nm[i]));
+            sum = plus(sum, waves.length_nm[i] * seen, weight_at(waves.nm[i]));
         }
         waves = {};
     }

@@ -14,12 +14,13 @@ namespace nacre {
 /// What a bake is checked against: the true colour of a job at one point, by an independent method.
 ///
 /// Reflectance at single wavelengths, integrated by Gauss-Legendre quadrature over every nanometre, against weights
-/// made anew from the CIE's tables and the illuminant. It shares a mechanism's formulas with the bake, but nothing of
-/// how spectra become XYZ: no closed form, no moments, no nodes, no grid, no SIMD. Every effect of the scene is there,
-/// whatever the bake leaves out. Layers of up to `most_scalar_layers` are solved by the solver's scalar reference
-/// implementation, more by the solver itself at other wavelengths; uneven ones have the bake's samples, whose
-/// number is part of the model. A grating's lines are walked through wave by wave. A base's directions and a surface's
-/// facets are summed by midpoint rules with far more points.
+/// made anew from the CIE's tables and the illuminant; of a lamp with fine lines also from one of its nodes to the
+/// next. It shares a mechanism's formulas with the bake, but nothing of how spectra become XYZ: no closed form, no
+/// moments, no nodes, no grid, no SIMD. Every effect of the scene is there, whatever the bake leaves out. Layers of up
+/// to `most_scalar_layers` are solved by the solver's scalar reference implementation, more by the solver itself at
+/// other wavelengths; uneven ones have the bake's samples, whose number is part of the model. A grating's lines are
+/// walked through wave by wave. A base's directions and a surface's facets are summed by midpoint rules with far more
+/// points.
 class Reference {
 public:
     /// @param job  has to outlive the reference
@@ -47,10 +48,13 @@ private:
     Xyz measured(const MeasuredSpectra& spectra, const Incidence& incidence) const;
     Xyz integral(const Lobe& lobe) const;
     Xyz weight_at(double nm) const;
+    double next_kink(double nm) const;
     const std::vector<double>& base_table(const Mechanism& mechanism, const LayerEnsemble& ensemble) const;
 
     const Job& job_;
-    std::vector<Xyz> weights_;  // per whole nanometre
+    std::vector<Xyz> weights_;      // per whole nanometre; of a lamp with fine lines without its power
+    std::vector<double> kinks_nm_;  // ascending: between them the weights are smooth
+    bool has_fine_lines_;
     glm::dmat3 adaptation_;
 
     // Of the last material, kept for the next angle.

@@ -106,7 +106,7 @@ Xyz Reference::lines(const Grating& grating, double u) const {
                 // Where ripples are broad it takes them all: nothing averages them, and there may be no other light.
                 constexpr double least_ripples_per_nm = 0.05;
                 const bool is_far = per_nm > least_ripples_per_nm && (t > far + per_nm || t < -far);
-                const double whole = std::min(std::floor(left) + 1.0, static_cast<double>(light.last_nm));
+                const double whole = std::min(next_kink(left), static_cast<double>(light.last_nm));
                 double right = whole;
                 if (!is_far) right = std::min(whole, left + waves_per_step / std::max(per_nm, 1e-9));
                 if (!is_far && t > far) right = std::min(whole, left + 1.0 / std::max(per_nm, 1e-9));
@@ -131,9 +131,12 @@ Xyz Reference::scattered(const Mechanism& mechanism, double cos_scatter) const {
         const double size = 2.0 * pi * scatter.radius_nm * scatter.medium.at(550.0).real() / 550.0;
         const int parts = scatter.radius_spread > 0.0 ? 1 : std::clamp(static_cast<int>(size / 100.0), 1, 64);
         std::vector<double> wavelengths_nm;
-        for (int nm = light.first_nm; nm < light.last_nm; ++nm) {
+        for (double nm = light.first_nm, next_nm = 0.0; nm < light.last_nm; nm = next_nm) {
+            next_nm = next_kink(nm);
+            const double length_nm = next_nm - nm;
             for (int part = 0; part < parts; ++part) {
-                for (const double at : gauss_nodes) made->waves.push_back({nm + (part + at) / parts, 0.5 / parts});
+                for (const double at : gauss_nodes)
+                    made->waves.push_back({nm + length_nm * (part + at) / parts, 0.5 * length_nm / parts});
             }
         }
         for (const Wave& wave : made->waves) wavelengths_nm.push_back(wave.nm);
@@ -152,11 +155,11 @@ Xyz Reference::scattered(const Mechanism& mechanism, double cos_scatter) const {
     return sum;
 }
 
-// Straight between measured wavelengths and between whole nanometres: two nodes are exact.
+// Spectra, lamp and colour matching functions are straight between these: two nodes are exact.
 Xyz Reference::measured(const MeasuredSpectra& spectra, const Incidence& incidence) const {
     const LightSettings& light = job_.light->settings;
     std::vector<double> borders(spectra.wavelength_nm);
-    for (int nm = light.first_nm; nm <= light.last_nm; ++nm) borders.push_back(nm);
+    borders.insert(borders.end(), kinks_nm_.begin(), kinks_nm_.end());
     std::sort(borders.begin(), borders.end());
     Xyz sum;
     for (std::size_t i = 1; i < borders.size(); ++i) {

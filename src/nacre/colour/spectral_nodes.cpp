@@ -41,8 +41,9 @@ public:
         : weights_(weights), panel_(panel), x_(static_cast<std::size_t>(count)), y_(x_), z_(x_) {
         const double shortest_nm = 1.0 / panel.to;
         const double longest_nm = 1.0 / panel.from;
+        const double per_nm = weights.cells_per_nm;
         for (double left = std::max(shortest_nm, static_cast<double>(weights.first_nm)); left < longest_nm;) {
-            const double right = std::min(std::floor(left + 1e-9) + 1.0, longest_nm);
+            const double right = std::min((std::floor(left * per_nm + 1e-9) + 1.0) / per_nm, longest_nm);
             add_cell(left, right);
             left = right;
         }
@@ -61,7 +62,8 @@ private:
         constexpr double longest_phase = 1.5;
         const double phase = std::abs(phi_right - phi_left) * static_cast<double>(x_.size());
         const int parts = std::max(1, static_cast<int>(std::ceil(phase / longest_phase)));
-        const auto cell = std::min(static_cast<std::size_t>(std::max(0.5 * (left + right) - weights_.first_nm, 0.0)),
+        const double from_first_nm = std::max(0.5 * (left + right) - weights_.first_nm, 0.0);
+        const auto cell = std::min(static_cast<std::size_t>(from_first_nm * weights_.cells_per_nm),
                                    static_cast<std::size_t>(weights_.count()) - 2);
         const double step = (phi_right - phi_left) / parts;
         for (int part = 0; part < parts; ++part) {
@@ -83,9 +85,10 @@ private:
     Point point_at(std::size_t cell, double phi, double share) const {
         const double cosine = std::cos(phi);
         const double nm = 1.0 / panel_.wavenumber(cosine);
-        const double along = std::clamp(nm - weights_.first_nm - static_cast<double>(cell), 0.0, 1.0);
+        const double along =
+            std::clamp(nm * weights_.cells_per_nm - weights_.first_cell() - static_cast<double>(cell), 0.0, 1.0);
         // d nm = nm^2 d wavenumber, and d x = sin(phi) d phi.
-        const double by_phi = share * nm * nm * 0.5 * (panel_.to - panel_.from) * std::sin(phi);
+        const double by_phi = share * nm * nm * 0.5 * (panel_.to - panel_.from) * std::sin(phi) * weights_.cells_per_nm;
         return {cosine, by_phi * weight_at(weights_.x, cell, along), by_phi * weight_at(weights_.y, cell, along),
                 by_phi * weight_at(weights_.z, cell, along)};
     }

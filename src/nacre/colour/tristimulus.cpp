@@ -23,6 +23,7 @@
 #include <numbers>
 
 #include "nacre/colour/cie_tables.h"
+#include "nacre/colour/lamp_weights.h"
 #include "nacre/colour/whole_cells.h"
 
 namespace nacre {
@@ -41,7 +42,7 @@ double spherical_j1(double x, double sin_x, double cos_x) {
 
 // A stretch within one cell: what the weights at its two ends are multiplied with.
 struct Piece {
-    int cell;      // index of the whole nanometre to its left
+    int cell;      // index of the border of a cell to its left
     double along;  // its middle, from 0 at the left node to 1 at the right one
     double even;   // integral of the cosine
     double odd;    // integral of the cosine times the distance from the middle
@@ -80,7 +81,7 @@ Phasor doubled(const Phasor& a) {
     return {1.0 - 2.0 * a.sine * a.sine, 2.0 * a.sine * a.cosine};
 }
 
-// A stretch of cos(per_nm * (nm - peak)) within the range of the weights.
+// A stretch of cos(per_nm * (nm - peak)) within the range of the weights. From here on `nm` counts cells.
 struct Arc {
     double peak_nm;
     double per_nm;  // of the phase
@@ -96,12 +97,12 @@ Arc cropped(const TristimulusWeights& weights, Arc arc) {
         const double phase = arc.per_nm * (nm - arc.peak_nm);
         return {std::cos(phase), std::sin(phase)};
     };
-    if (arc.from_nm < weights.first_nm) {
-        arc.from_nm = weights.first_nm;
+    if (arc.from_nm < weights.first_cell()) {
+        arc.from_nm = weights.first_cell();
         if (arc.from_nm < arc.to_nm) arc.at_from = phase_at(arc.from_nm);
     }
-    if (arc.to_nm > weights.last_nm) {
-        arc.to_nm = weights.last_nm;
+    if (arc.to_nm > weights.last_cell()) {
+        arc.to_nm = weights.last_cell();
         if (arc.from_nm < arc.to_nm) arc.at_to = phase_at(arc.to_nm);
     }
     return arc;
@@ -141,7 +142,7 @@ Xyz arc_to_xyz_per_cell(const TristimulusWeights& weights, const Arc& arc) {
         const double phase = arc.per_nm * (middle_nm - arc.peak_nm);
         const double x = 0.5 * arc.per_nm * (to_nm - from_nm);
         add_piece(weights,
-                  make_piece(static_cast<int>(node_nm) - weights.first_nm, middle_nm - node_nm, to_nm - from_nm, x,
+                  make_piece(static_cast<int>(node_nm) - weights.first_cell(), middle_nm - node_nm, to_nm - from_nm, x,
                              {std::cos(x), std::sin(x)}, {std::cos(phase), std::sin(phase)}),
                   sum);
         from_nm = to_nm;
@@ -169,13 +170,13 @@ Xyz arc_to_xyz(const TristimulusWeights& weights, const Arc& arc) {
     Xyz sum;
     if (before > 0.0) {
         add_piece(weights,
-                  make_piece(first - 1 - weights.first_nm, 1.0 - 0.5 * before, before, x_before, half_before,
+                  make_piece(first - 1 - weights.first_cell(), 1.0 - 0.5 * before, before, x_before, half_before,
                              turned(arc.at_from, half_before)),
                   sum);
     }
     if (after > 0.0) {
         add_piece(weights,
-                  make_piece(last - weights.first_nm, 0.5 * after, after, x_after, half_after,
+                  make_piece(last - weights.first_cell(), 0.5 * after, after, x_after, half_after,
                              turned(arc.at_to, back(half_after))),
                   sum);
     }
@@ -183,14 +184,38 @@ Xyz arc_to_xyz(const TristimulusWeights& weights, const Arc& arc) {
                                                      turned(arc.at_to, back(doubled(half_after)))}));
 }
 
+// Integral of the weights over a range in cells.
+Xyz plateau_of_cells(const TristimulusWeights& weights, double from_cell, double to_cell) {
+    const double from = std::max(from_cell - weights.first_cell(), 0.0);
+    const double to = std::min(to_cell - weights.first_cell(), static_cast<double>(weights.count() - 1));
+    if (!(from < to)) return {};
+    // From the beginning to somewhere in a cell.
+    const auto add_up_to = [&](double position, double sign, Xyz& sum) {
+        const auto cell = std::min(static_cast<std::size_t>(position), weights.cumulative.size() - 2);
+        const double t = position - static_cast<double>(cell);
+        const double right = 0.5 * t * t;  // of the weight at the cell's right end
+        const double left = t - right;
+        const Xyz& whole = weights.cumulative[cell];
+        sum.x += sign * (whole.x + left * weights.x[cell] + right * weights.x[cell + 1]);
+        sum.y += sign * (whole.y + left * weights.y[cell] + right * weights.y[cell + 1]);
+        sum.z += sign * (whole.z + left * weights.z[cell] + right * weights.z[cell + 1]);
+    };
+    Xyz sum;
+    add_up_to(to, 1.0, sum);
+    add_up_to(from, -1.0, sum);
+    return sum;
+}
+
 template <typename ArcToXyz>
-Xyz sum_of_arcs(const TristimulusWeights& weights, const BandShape& band, ArcToXyz to_xyz) {
+Xyz sum_of_arcs(const TristimulusWeights& weights, BandShape band, ArcToXyz to_xyz) {
     if (!(band.width_nm > 0.0)) return {};
+    band.peak_nm *= weights.cells_per_nm;
+    band.width_nm *= weights.cells_per_nm;
     const Arcs arcs = arcs_of(weights, band);
     Xyz sum = to_xyz(weights, arcs.arc[0]);
     if (arcs.count == 1) return sum;
     sum = plus(sum, to_xyz(weights, arcs.arc[1]));
-    return plus(sum, plateau_to_xyz(weights, arcs.arc[0].peak_nm, arcs.arc[1].peak_nm));
+    return plus(sum, plateau_of_cells(weights, arcs.arc[0].peak_nm, arcs.arc[1].peak_nm));
 }
 
 }  // namespace
@@ -201,13 +226,7 @@ TristimulusWeights make_tristimulus_weights(Observer observer, const SampledCurv
     TristimulusWeights weights;
     weights.first_nm = first_nm;
     weights.last_nm = last_nm;
-    for (int nm = first_nm; nm <= last_nm; ++nm) {
-        const double power = illuminant.at(nm);
-        const auto& [x_bar, y_bar, z_bar] = colour_matching(observer, nm);
-        weights.x.push_back(power * x_bar);
-        weights.y.push_back(power * y_bar);
-        weights.z.push_back(power * z_bar);
-    }
+    add_lamp_weights(observer, illuminant, weights);
     // Trapezia are exact for what is linear between the nodes.
     const auto integral = [](const std::vector<double>& weight) {
         double sum = 0.5 * (weight.front() + weight.back());
@@ -234,24 +253,7 @@ TristimulusWeights make_tristimulus_weights(Observer observer, const SampledCurv
 }
 
 Xyz plateau_to_xyz(const TristimulusWeights& weights, double from_nm, double to_nm) {
-    const double from = std::max(from_nm - weights.first_nm, 0.0);
-    const double to = std::min(to_nm - weights.first_nm, static_cast<double>(weights.count() - 1));
-    if (!(from < to)) return {};
-    // From the beginning to somewhere in a cell.
-    const auto add_up_to = [&](double position, double sign, Xyz& sum) {
-        const auto cell = std::min(static_cast<std::size_t>(position), weights.cumulative.size() - 2);
-        const double t = position - static_cast<double>(cell);
-        const double right = 0.5 * t * t;  // of the weight at the cell's right end
-        const double left = t - right;
-        const Xyz& whole = weights.cumulative[cell];
-        sum.x += sign * (whole.x + left * weights.x[cell] + right * weights.x[cell + 1]);
-        sum.y += sign * (whole.y + left * weights.y[cell] + right * weights.y[cell + 1]);
-        sum.z += sign * (whole.z + left * weights.z[cell] + right * weights.z[cell + 1]);
-    };
-    Xyz sum;
-    add_up_to(to, 1.0, sum);
-    add_up_to(from, -1.0, sum);
-    return sum;
+    return plateau_of_cells(weights, from_nm * weights.cells_per_nm, to_nm * weights.cells_per_nm);
 }
 
 Xyz band_to_xyz(const TristimulusWeights& weights, const BandShape& band) {
@@ -265,9 +267,10 @@ Xyz band_to_xyz_per_cell(const TristimulusWeights& weights, const BandShape& ban
 GridWeights make_grid_weights(const TristimulusWeights& weights, const WavelengthGrid& grid) {
     GridWeights result;
     const auto at = [&](const std::vector<double>& weight, double nm) {
-        const int last_cell = weights.last_nm - weights.first_nm - 1;
-        const int cell = std::clamp(static_cast<int>(std::floor(nm)) - weights.first_nm, 0, last_cell);
-        const double t = nm - (weights.first_nm + cell);
+        const double position = nm * weights.cells_per_nm;
+        const int cell =
+            std::clamp(static_cast<int>(std::floor(position)) - weights.first_cell(), 0, weights.count() - 2);
+        const double t = position - (weights.first_cell() + cell);
         return (1.0 - t) * weight[static_cast<std::size_t>(cell)] + t * weight[static_cast<std::size_t>(cell) + 1];
     };
     double luminance = 0.0;

@@ -9,10 +9,11 @@
 
 namespace nacre {
 
-/// Observer x illuminant at whole nanometres, linear between them, normalised so that R = 1 has Y = 1.
+/// Observer x illuminant at the borders of cells, linear between them, normalised so that R = 1 has Y = 1.
 ///
-/// `x`, `y`, `z` hold one weight per nanometre from first_nm to last_nm; a curve R has
-/// X = integral of R(nm) * x(nm) d nm, where x(nm) is the piecewise linear function through the weights.
+/// A cell is one nanometre, or less for lamps with finer lines. `x`, `y`, `z` hold one weight per border of a cell from
+/// first_nm to last_nm; with p = nm * cells_per_nm, a curve R has X = integral of R(nm) * x(p) d p, where x(p) is the
+/// piecewise linear function through the weights.
 /// Everything below integrates that function, and normalises by the same rule, so white is exact.
 struct TristimulusWeights {
     /// Zeros behind the last weight, so that a SIMD register may be loaded past it.
@@ -20,16 +21,21 @@ struct TristimulusWeights {
 
     int first_nm = 0;
     int last_nm = 0;
+    int cells_per_nm = 1;  ///< a power of two, so that borders of cells are exact
     std::vector<double> x;
     std::vector<double> y;
     std::vector<double> z;
-    std::vector<Xyz> cumulative;  ///< the integral from first_nm to every whole nanometre
+    std::vector<Xyz> cumulative;  ///< the integral from first_nm to every border of a cell
     Xyz white;                    ///< what R = 1 over the whole range integrates to; white.y == 1
 
     /// Number of weights, the padding not counted.
-    int count() const { return last_nm - first_nm + 1; }
+    int count() const { return (last_nm - first_nm) * cells_per_nm + 1; }
+    /// Where the weights begin and end, in cells.
+    int first_cell() const { return first_nm * cells_per_nm; }
+    int last_cell() const { return last_nm * cells_per_nm; }
 };
 
+/// A lamp with nodes closer than one nanometre is integrated on its own nodes (see lamp_weights.h).
 /// @param illuminant          relative spectral power, any scale, linear between its nodes, 0 outside them
 /// @param first_nm,last_nm    range of integration, 360 <= first_nm < last_nm <= 830
 /// @pre the illuminant has power somewhere in the range (planning guarantees it)
@@ -47,7 +53,7 @@ struct BandShape {
 
 /// Tristimulus values of a band, exactly.
 ///
-/// Product integration: over one nanometre the weight is linear and a shoulder a cosine, which has a closed form; a
+/// Product integration: over one cell the weight is linear and a shoulder a cosine, which has a closed form; a
 /// plateau takes two running integrals (see tristimulus.cpp). There is no sampling error at any width and flatness;
 /// rounding errors are up to 3e-14 absolute (observed).
 Xyz band_to_xyz(const TristimulusWeights& weights, const BandShape& band);
@@ -60,7 +66,7 @@ Xyz band_to_xyz_per_cell(const TristimulusWeights& weights, const BandShape& ban
 Xyz plateau_to_xyz(const TristimulusWeights& weights, double from_nm, double to_nm);
 
 /// Weights for spectra sampled at a grid: X = sum of value[i] * x[i] (trapezium rule at the grid's nodes,
-/// weights linear between whole nanometres), normalised so that a spectrum of ones has Y = 1.
+/// weights linear between borders of cells), normalised so that a spectrum of ones has Y = 1.
 struct GridWeights {
     std::vector<double> x;
     std::vector<double> y;

@@ -120,8 +120,8 @@ Xyz weighted_cosines(const double* x, const double* y, const double* z, std::siz
 }
 
 Xyz integrate_whole_cells(const TristimulusWeights& weights, const WholeCells& cells) {
-    const auto begin = static_cast<std::size_t>(cells.first_nm - weights.first_nm);
-    const auto end = static_cast<std::size_t>(cells.last_nm - weights.first_nm);
+    const auto begin = static_cast<std::size_t>(cells.first_nm - weights.first_cell());
+    const auto end = static_cast<std::size_t>(cells.last_nm - weights.first_cell());
     const Phasor half_step = small_phasor(0.5 * cells.per_nm);
     const double sinc = half_step.sine / (0.5 * cells.per_nm);
     const double hat = sinc * sinc;

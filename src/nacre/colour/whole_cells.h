@@ -31,9 +31,9 @@ inline Phasor small_phasor(double x) {
 /// @param x,y,z  may be read up to TristimulusWeights::padding numbers past their end
 Xyz weighted_cosines(const double* x, const double* y, const double* z, std::size_t count, Phasor first, Phasor step);
 
-/// A run of whole cells under a cosine of phase per_nm * (nm - peak).
+/// A run of whole cells under a cosine of phase per_nm * (nm - peak). Here `nm` counts cells of the weights.
 struct WholeCells {
-    int first_nm = 0;  ///< whole nanometres, weights.first_nm <= first_nm < last_nm <= weights.last_nm
+    int first_nm = 0;  ///< weights.first_cell() <= first_nm < last_nm <= weights.last_cell()
     int last_nm = 0;
     double per_nm = 0.0;  ///< in (0, pi / 4]
     Phasor first_phase;   ///< of the phase at first_nm

@@ -48,7 +48,7 @@ class SumBaseline final : public Baseline {
 public:
     SumBaseline(const Light& light, int step_nm) : first_nm_(light.weights.first_nm), step_nm_(step_nm) {
         Xyz white;
-        for (int i = 0; i < light.weights.count(); i += step_nm) {
+        for (int i = 0; i < light.weights.count(); i += step_nm * light.weights.cells_per_nm) {
             const auto node = static_cast<std::size_t>(i);
             x_.push_back(light.weights.x[node]);
             y_.push_back(light.weights.y[node]);

@@ -16,11 +16,11 @@ namespace {
 // the efficiency, a profile's depth being what makes phases.
 constexpr double most_phase_change = 0.07;
 
-// The light's weights between whole nanometres, at `along` from 0 to 1.
+// The light's weights within a cell, at `along` from 0 to 1, per nanometre.
 Xyz weight_at(const TristimulusWeights& weights, int cell, double along) {
     const auto i = static_cast<std::size_t>(cell);
     const auto between = [&](const std::vector<double>& weight) {
-        return (1.0 - along) * weight[i] + along * weight[i + 1];
+        return ((1.0 - along) * weight[i] + along * weight[i + 1]) * weights.cells_per_nm;
     };
     return {between(weights.x), between(weights.y), between(weights.z)};
 }
@@ -29,16 +29,18 @@ Xyz weight_at(const TristimulusWeights& weights, int cell, double along) {
 // moments of the light's weights times wavelength.
 std::array<Xyz, 3> weights_over(const TristimulusWeights& weights, double from_nm, double to_nm) {
     const double middle = 0.5 * (1.0 / from_nm + 1.0 / to_nm), half = 0.5 * (1.0 / to_nm - 1.0 / from_nm);
+    const double per_nm = weights.cells_per_nm;
     const auto at = [&](double nm) {
-        const int cell = std::clamp(static_cast<int>(nm - weights.first_nm), 0, weights.count() - 2);
-        return scaled(weight_at(weights, cell, nm - (weights.first_nm + cell)), nm);
+        const double position = (nm - weights.first_nm) * per_nm;
+        const int cell = std::clamp(static_cast<int>(position), 0, weights.count() - 2);
+        return scaled(weight_at(weights, cell, nm * per_nm - (weights.first_cell() + cell)), nm);
     };
-    // Between whole nanometres weights are straight, and their own values make the parabola.
-    if (to_nm <= std::floor(from_nm) + 1.0) return {at(from_nm), at(1.0 / middle), at(to_nm)};
+    // Within a cell weights are straight, and their own values make the parabola.
+    if (to_nm * per_nm <= std::floor(from_nm * per_nm) + 1.0) return {at(from_nm), at(1.0 / middle), at(to_nm)};
     Xyz zeroth, first, second;
-    // Simpson's rule from one whole nanometre to the next, in s.
+    // Simpson's rule cell by cell, in s.
     for (double left_nm = from_nm; left_nm < to_nm;) {
-        const double right_nm = std::min(std::floor(left_nm) + 1.0, to_nm);
+        const double right_nm = std::min((std::floor(left_nm * per_nm) + 1.0) / per_nm, to_nm);
         const double left = (1.0 / left_nm - middle) / half, right = (1.0 / right_nm - middle) / half;
         for (const auto& [s, share] : {std::pair{left, 1.0}, {0.5 * (left + right), 4.0}, {right, 1.0}}) {
             const double part = share * (right - left) / 6.0;
@@ -73,14 +75,14 @@ GratingPieces grating_pieces(const TristimulusWeights& weights, int nm, double d
     result.nm = nm;
     const double most_change = nm > 1 ? most_coarse_phase_change : most_phase_change;
     result.per_nm.push_back(1.0 / weights.first_nm);
-    for (int cell = 0; cell + 1 < weights.count(); cell += nm) {
-        const int cells = std::min(nm, weights.count() - 1 - cell);
-        const double first_nm = weights.first_nm + cell;
-        const double change = cells * profile_phase_per_nm(depth_nm, first_nm);
+    for (int begin_nm = weights.first_nm; begin_nm < weights.last_nm; begin_nm += nm) {
+        const int length_nm = std::min(nm, weights.last_nm - begin_nm);
+        const double first_nm = begin_nm;
+        const double change = length_nm * profile_phase_per_nm(depth_nm, first_nm);
         const int pieces = std::max(1, static_cast<int>(std::ceil(change / most_change)));
         for (int i = 0; i < pieces; ++i) {
-            const double from_nm = first_nm + cells * (static_cast<double>(i) / pieces);
-            const double to_nm = first_nm + cells * (static_cast<double>(i + 1) / pieces);
+            const double from_nm = first_nm + length_nm * (static_cast<double>(i) / pieces);
+            const double to_nm = first_nm + length_nm * (static_cast<double>(i + 1) / pieces);
             const double middle_nm = 2.0 * from_nm * to_nm / (from_nm + to_nm);  // in 1 / nm
             result.per_nm.push_back(1.0 / middle_nm);
             result.per_nm.push_back(1.0 / to_nm);

@@ -9,12 +9,15 @@
 namespace nacre {
 namespace {
 
+// Per nanometre.
 Xyz weight_at(const TristimulusWeights& weights, double nm) {
-    const double position = nm - weights.first_nm;
+    const double position = nm * weights.cells_per_nm - weights.first_cell();
     const auto cell = static_cast<std::size_t>(std::clamp(std::floor(position), 0.0, weights.count() - 2.0));
     const double t = position - static_cast<double>(cell);
-    return {std::lerp(weights.x[cell], weights.x[cell + 1], t), std::lerp(weights.y[cell], weights.y[cell + 1], t),
-            std::lerp(weights.z[cell], weights.z[cell + 1], t)};
+    const auto at = [&](const std::vector<double>& weight) {
+        return std::lerp(weight[cell], weight[cell + 1], t) * weights.cells_per_nm;
+    };
+    return {at(weights.x), at(weights.y), at(weights.z)};
 }
 
 // A wavelength's shares in the two of the spectra that it lies between; beyond them the nearest has all.
@@ -36,10 +39,11 @@ void add_at(const std::vector<double>& wavelength_nm, double nm, const Xyz& weig
     add(sums[shares.left + 1], shares.right_share, weight);
 }
 
-// Between all whole nanometres and wavelengths of the spectra the product is a parabola: Simpson's rule is exact.
+// Between all borders of cells and wavelengths of the spectra the product is a parabola: Simpson's rule is exact.
 std::vector<Xyz> exact_weights(const std::vector<double>& wavelength_nm, const TristimulusWeights& weights) {
     std::vector<double> borders;
-    for (int nm = weights.first_nm; nm <= weights.last_nm; ++nm) borders.push_back(nm);
+    for (int cell = weights.first_cell(); cell <= weights.last_cell(); ++cell)
+        borders.push_back(static_cast<double>(cell) / weights.cells_per_nm);
     for (const double nm : wavelength_nm) {
         if (nm > weights.first_nm && nm < weights.last_nm) borders.push_back(nm);
     }

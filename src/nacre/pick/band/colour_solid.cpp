@@ -1,7 +1,6 @@
 #include "nacre/pick/band/colour_solid.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <glm/geometric.hpp>
@@ -9,15 +8,11 @@
 #include <glm/matrix.hpp>
 #include <limits>
 
-#include "nacre/colour/cie_tables.h"
-
 namespace nacre {
 namespace {
 
 // Wavelengths of the jumps of which the first planes consist; a few steps of Newton's method lead from their best on.
 constexpr std::size_t first_jumps = 24;
-
-constexpr std::size_t most_nodes = cie_table_last_nm - cie_table_first_nm + 1;
 
 constexpr int most_turns = 60;
 constexpr int most_halvings = 40;
@@ -60,15 +55,21 @@ ColourSolid::ColourSolid(const TristimulusWeights& weights) : weights_(weights) 
 // @return whether n . w is positive at the end of the spectrum
 template <typename Visit>
 bool ColourSolid::visit_jumps(const glm::dvec3& n, const Visit& visit) const {
-    std::array<double, most_nodes> height;
     const auto count = static_cast<std::size_t>(weights_.count());
-    for (std::size_t i = 0; i < count; ++i) height[i] = n.x * weights_.x[i] + n.y * weights_.y[i] + n.z * weights_.z[i];
+    const auto height_of = [&](std::size_t i) {
+        return n.x * weights_.x[i] + n.y * weights_.y[i] + n.z * weights_.z[i];
+    };
+    double height = height_of(0);
     for (std::size_t i = 0; i + 1 < count; ++i) {
-        if ((height[i] > 0.0) == (height[i + 1] > 0.0)) continue;
-        const double slope = height[i + 1] - height[i], t = -height[i] / slope;
-        visit(weights_.first_nm + static_cast<double>(i) + t, (1.0 - t) * node(i) + t * node(i + 1), slope);
+        const double next = height_of(i + 1), slope = next - height;
+        if ((height > 0.0) != (next > 0.0)) {
+            const double t = -height / slope,
+                         nm = weights_.first_nm + (static_cast<double>(i) + t) / weights_.cells_per_nm;
+            visit(nm, (1.0 - t) * node(i) + t * node(i + 1), slope);
+        }
+        height = next;
     }
-    return height[count - 1] > 0.0;
+    return height > 0.0;
 }
 
 glm::dvec3 ColourSolid::node(std::size_t i) const {

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "cli/number_ranges.h"
-#include "io/scene/curve_csv.h"
+#include "io/scene/csv_file.h"
 #include "nacre/base/error.h"
 #include "nacre/base/names.h"
 #include "nacre/base/text.h"

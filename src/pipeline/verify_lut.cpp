@@ -45,10 +45,10 @@ Plan plan_of_header(const StoredLut& stored) {
     if (hash_text(scene) != stored.header.value("sceneHash")) {
         throw Error("the scene in the header is not the one that its hash was made of");
     }
-    const auto refuse_file = [](const std::string& file, const Where& where) -> SampledCurve {
+    const auto refuse_file = [](const std::string& file, const Where& where, const CsvKeys&) -> SampledCurve {
         throw Error(where.text() + ": names the file " + file);
     };
-    const auto refuse_spectra = [](const std::string& file, const Where& where) -> MeasuredSpectra {
+    const auto refuse_spectra = [](const std::string& file, const Where& where, const CsvKeys&) -> MeasuredSpectra {
         throw Error(where.text() + ": names the file " + file);
     };
     const auto find_shipped = [](const std::string& name, const Where& where) {

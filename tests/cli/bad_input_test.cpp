@@ -100,8 +100,9 @@ TEST(BadCommandLine, CsvWithTwoOfOneWavelengthNamesTheLine) {
     const TemporaryFolder folder;
     folder.file("lamp.csv", "360,1\n360,1\n830,1\n");
     folder.file("s.toml", scene("[light]\nilluminant = \"lamp.csv\"\n"));
-    EXPECT_EQ(error_of({"bake", "s.toml"}, folder, 2),
-              "nacre: lamp.csv:2: wavelength 360 does not ascend; give every wavelength once, smallest first\n");
+    EXPECT_EQ(
+        error_of({"bake", "s.toml"}, folder, 2),
+        "nacre: lamp.csv:2:1: wavelength 360 does not ascend; give every wavelength once, smallest or largest first\n");
 }
 
 TEST(BadCommandLine, TwoScenesThatWriteOneFileAreRefused) {

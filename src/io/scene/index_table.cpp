@@ -1,34 +1,23 @@
 #include "io/scene/index_table.h"
 
 #include <algorithm>
-#include <charconv>
-#include <cmath>
 #include <cstddef>
-#include <system_error>
+#include <span>
+#include <string_view>
 
-#include "io/scene/curve_csv.h"
-#include "io/scene/text_file.h"
+#include "io/scene/csv_table.h"
 #include "nacre/base/error.h"
 #include "nacre/base/text.h"
 
 namespace nacre {
 namespace {
 
-// No table for light ends below this, but one in micrometres does.
-constexpr double least_last_nm = 100.0;
-constexpr std::size_t largest_table_bytes = 64u << 20;
+// refractiveindex.info heads wavelengths in micrometres so, in its CSV.
+constexpr std::string_view um_heading = "wl";
+constexpr std::string_view allowed_columns = "wavelength_nm,n or wavelength_nm,n,k";
 
 [[noreturn]] void fail_at(const std::string& file, int line, const std::string& message) {
     throw Error(file + ":" + std::to_string(line) + ": " + message);
-}
-
-template <typename Number>
-std::optional<Number> whole_number(std::string_view text) {
-    if (text.starts_with('+')) text.remove_prefix(1);
-    Number number{};
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-    if (error != std::errc() || end != text.data() + text.size() || text.empty()) return std::nullopt;
-    return number;
 }
 
 std::string nm_text(double nm) {
@@ -68,45 +57,45 @@ bool repeats(const IndexTable& table, const IndexRow& row, const IndexRow& befor
     return true;
 }
 
-// "400;1,5" would be read as three columns.
-void refuse_decimal_commas(const std::string& path) {
-    const std::string text = read_text_file(path, largest_table_bytes);
-    std::string_view rest = text;
-    for (int line = 1; !rest.empty(); ++line) {
-        const std::string_view content = rest.substr(0, rest.find('\n'));
-        rest.remove_prefix(std::min(content.size() + 1, rest.size()));
-        if (content.starts_with('#') || content.find(',') == std::string_view::npos) continue;
-        if (content.find_first_of(";\t") != std::string_view::npos)
-            fail_at(path, line,
-                    "has two kinds of separators; write decimals with a point, and separate the columns in one way");
-    }
-}
-
-bool is_heading(const CsvRow& row) {
-    return std::none_of(row.fields.begin(), row.fields.end(),
-                        [](const std::string& field) { return decimal_number(field).has_value(); });
-}
-
-IndexRow csv_row(const std::string& path, const CsvRow& row, std::size_t columns) {
+// @param shift  of wavelengths, which are then nanometres
+IndexRow csv_row(const std::string& path, const CsvRow& row, std::size_t columns, bool gives_n, int shift) {
     if (row.fields.size() != columns) {
         fail_at(path, row.line,
                 "has " + std::to_string(row.fields.size()) + " columns, the first row has " + std::to_string(columns) +
                     "; every row must have the same number");
     }
-    return {row.line, csv_number(path, row, 0), csv_number(path, row, 1), columns > 2 ? csv_number(path, row, 2) : 0.0};
+    const double nm = csv_number(path, row, 0, shift), value = csv_number(path, row, 1);
+    if (!gives_n) return {row.line, nm, 0.0, value};
+    return {row.line, nm, value, columns > 2 ? csv_number(path, row, 2) : 0.0};
+}
+
+double largest_wavelength(const std::string& path, std::span<const CsvRow> rows) {
+    double largest = 0.0;
+    for (const CsvRow& row : rows) largest = std::max(largest, csv_number(path, row, 0));
+    return largest;
+}
+
+// One heading and its rows. @param heading  without fields if there is none
+IndexTable index_block(const std::string& path, const CsvRow& heading, std::span<const CsvRow> rows) {
+    if (rows.empty()) throw Error(path + ": has no numbers; allowed: columns " + std::string(allowed_columns));
+    const std::size_t columns = rows.front().fields.size();
+    if (columns != 2 && columns != 3) {
+        fail_at(path, rows.front().line,
+                "has " + std::to_string(columns) + " columns; allowed: " + std::string(allowed_columns));
+    }
+    const bool gives_n = columns == 3 || heading.fields.size() != 2 || heading.fields[1] != "k";
+    const double last = largest_wavelength(path, rows);
+    const bool is_um = last < least_last_nm && !heading.fields.empty() && heading.fields.front() == um_heading;
+    if (last < least_last_nm && !is_um) {
+        fail_at(path, rows.front().line,
+                "wavelengths end at " + number_text(last) + " nm, as if they were micrometres; give nanometres");
+    }
+    IndexTable table{gives_n, columns == 3 || !gives_n, {}};
+    for (const CsvRow& row : rows) table.rows.push_back(csv_row(path, row, columns, gives_n, is_um ? 3 : 0));
+    return table;
 }
 
 }  // namespace
-
-std::optional<double> decimal_number(std::string_view text, int shift) {
-    const std::optional<double> number = whole_number<double>(text);
-    if (!number || !std::isfinite(*number)) return std::nullopt;
-    if (shift == 0) return number;
-    const std::size_t e = text.find_first_of("eE");
-    const std::optional<int> exponent = e == std::string_view::npos ? 0 : whole_number<int>(text.substr(e + 1));
-    if (!exponent) return std::nullopt;
-    return whole_number<double>(std::string(text.substr(0, e)) + "e" + std::to_string(*exponent + shift));
-}
 
 IndexCurves index_curves(IndexTable table, const std::string& file, int line) {
     for (const IndexRow& row : table.rows) check(table, row, file);
@@ -114,11 +103,9 @@ IndexCurves index_curves(IndexTable table, const std::string& file, int line) {
                      [](const IndexRow& a, const IndexRow& b) { return a.wavelength_nm < b.wavelength_nm; });
     IndexCurves curves;
     const IndexRow* before = nullptr;
-    std::size_t count = 0;
     for (const IndexRow& row : table.rows) {
         if (before && repeats(table, row, *before, file)) continue;
         before = &row;
-        ++count;
         if (table.gives_n) {
             curves.n.wavelength_nm.push_back(row.wavelength_nm);
             curves.n.value.push_back(row.n);
@@ -128,35 +115,20 @@ IndexCurves index_curves(IndexTable table, const std::string& file, int line) {
             curves.k.value.push_back(row.k);
         }
     }
-    if (count < 2) {
-        fail_at(file, line,
-                std::string("a table of ") + (count == 0 ? "no wavelengths" : "one wavelength") +
-                    "; two or more are needed (a constant index is a number in the scene)");
-    }
+    if (before == nullptr) fail_at(file, line, "a table of no wavelengths; give one or more");
     return curves;
 }
 
-IndexTable read_index_csv(const std::string& path) {
-    refuse_decimal_commas(path);
-    std::vector<CsvRow> rows = read_csv(path);
-    if (!rows.empty() && is_heading(rows.front())) rows.erase(rows.begin());
-    if (rows.empty()) throw Error(path + ": has no numbers; allowed: columns wavelength_nm,n or wavelength_nm,n,k");
-    const std::size_t columns = rows.front().fields.size();
-    if (columns != 2 && columns != 3) {
-        fail_at(path, rows.front().line,
-                "has " + std::to_string(columns) + " columns; allowed: wavelength_nm,n or wavelength_nm,n,k");
-    }
-    IndexTable table{true, columns == 3, {}};
-    double last_nm = 0.0;
-    for (const CsvRow& row : rows) {
-        table.rows.push_back(csv_row(path, row, columns));
-        last_nm = std::max(last_nm, table.rows.back().wavelength_nm);
-    }
-    if (last_nm < least_last_nm) {
-        fail_at(path, rows.front().line,
-                "wavelengths end at " + number_text(last_nm) + " nm, as if they were micrometres; give nanometres");
-    }
-    return table;
+std::vector<IndexTable> read_index_csv(const std::string& path) {
+    const CsvTable table = read_csv_table(path);
+    // A number is no heading: this is a row whose wavelength is misspelt.
+    if (table.has_heading() && find_csv_number(table.heading, 1)) csv_number(path, table.heading, 0);
+    const std::span<const CsvRow> rows = table.rows;
+    const auto second = std::find_if(rows.begin(), rows.end(),
+                                     [](const CsvRow& row) { return is_wavelength_heading(row.fields.front()); });
+    if (second == rows.end()) return {index_block(path, table.heading, rows)};
+    const auto count = static_cast<std::size_t>(second - rows.begin());
+    return {index_block(path, table.heading, rows.first(count)), index_block(path, *second, rows.subspan(count + 1))};
 }
 
 }  // namespace nacre

@@ -1,8 +1,6 @@
 #pragma once
 
-#include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "nacre/base/sampled_curve.h"
@@ -30,21 +28,19 @@ struct IndexCurves {
     SampledCurve k;
 };
 
-/// The number in a text, times 10^shift: the double nearest to the decimal that is meant, so that 1.005 um are 1005 nm
-/// and not 1004.9999999999999. Nothing if the text is not a finite number.
-std::optional<double> decimal_number(std::string_view text, int shift = 0);
-
 /// Sorts the rows by wavelength, and merges equal duplicates.
 ///
 /// Throws Error, `file:line: what is wrong; what is allowed`, for a wavelength <= 0, n <= 0, k < 0 (gain), a wavelength
-/// that is given twice with different values, and fewer than two wavelengths.
+/// that is given twice with different values, and a table without rows.
 /// @param line  of the table, for what is wrong with all of it
 IndexCurves index_curves(IndexTable table, const std::string& file, int line);
 
-/// A CSV of wavelength_nm,n or wavelength_nm,n,k; a first row of words is a heading. Not checked by index_curves() yet.
+/// A CSV of wavelength_nm,n or wavelength_nm,n,k (see csv_table.h); or that of refractiveindex.info, whose wavelengths
+/// are micrometres under the heading `wl`, with a block for n and one for k, each with a heading. One table per block,
+/// not checked by index_curves() yet.
 ///
-/// Throws IoError, or Error for anything else than two or three columns of numbers, for decimal commas, and for a table
-/// that ends below 100 nm: its wavelengths are micrometres.
-IndexTable read_index_csv(const std::string& path);
+/// Throws IoError, or Error for anything else than two or three columns of numbers, and for a table that ends below 100
+/// nm: its wavelengths are micrometres.
+std::vector<IndexTable> read_index_csv(const std::string& path);
 
 }  // namespace nacre

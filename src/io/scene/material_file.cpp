@@ -11,6 +11,7 @@
 #include <variant>
 #include <vector>
 
+#include "io/scene/csv_file.h"
 #include "io/scene/index_table.h"
 #include "io/scene/text_file.h"
 #include "io/scene/yaml_tree.h"
@@ -213,7 +214,8 @@ IndexCurve combined(std::span<const Block> blocks, int line, const std::string& 
     curve.k = k->k;
     curve.first_nm = std::max(n->first_nm, k->first_nm);
     curve.last_nm = std::min(n->last_nm, k->last_nm);
-    if (!(curve.first_nm < curve.last_nm)) {
+    const bool is_one_row = n->first_nm == n->last_nm || k->first_nm == k->last_nm;
+    if (!(curve.first_nm < curve.last_nm) && !(is_one_row && curve.first_nm == curve.last_nm)) {
         fail(file, line,
              "n is known from " + range_text(n->first_nm, n->last_nm) + " and k from " +
                  range_text(k->first_nm, k->last_nm) + "; they must overlap");
@@ -222,15 +224,18 @@ IndexCurve combined(std::span<const Block> blocks, int line, const std::string& 
 }
 
 IndexCurve read_csv_material(const std::string& path) {
-    const IndexTable table = read_index_csv(path);
-    IndexCurves curves = index_curves(table, path, table.rows.front().line);
-    IndexCurve curve;
-    curve.name = std::filesystem::path(path).filename().string();
-    curve.first_nm = curves.n.wavelength_nm.front();
-    curve.last_nm = curves.n.wavelength_nm.back();
-    curve.n = std::move(curves.n);
-    if (table.gives_k) curve.k = std::move(curves.k);
-    return curve;
+    std::vector<Block> blocks;
+    int line = 0;
+    for (const IndexTable& table : read_index_csv(path)) {
+        line = table.rows.front().line;
+        IndexCurves curves = index_curves(table, path, line);
+        const std::vector<double>& nm = table.gives_n ? curves.n.wavelength_nm : curves.k.wavelength_nm;
+        Block block{line, table.gives_n, table.gives_k, {}, {}, nm.front(), nm.back()};
+        if (table.gives_n) block.n = std::move(curves.n);
+        if (table.gives_k) block.k = std::move(curves.k);
+        blocks.push_back(std::move(block));
+    }
+    return combined(blocks, line, path);
 }
 
 }  // namespace

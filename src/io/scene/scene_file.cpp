@@ -9,7 +9,7 @@
 #include <variant>
 #include <vector>
 
-#include "io/scene/curve_csv.h"
+#include "io/scene/csv_table.h"
 #include "io/scene/include_pattern.h"
 #include "io/scene/shipped_materials.h"
 #include "io/scene/spectra_csv.h"
@@ -173,10 +173,10 @@ std::filesystem::path folder_of(const Where& where) {
 }
 
 SceneFiles scene_files() {
-    const auto read_curve = [](const std::string& file, const Where& where) {
+    const auto read_curve = [](const std::string& file, const Where& where, const CsvKeys& keys) {
         const auto path = folder_of(where) / file;
         try {
-            return read_curve_csv(path.string());
+            return read_curve_csv(path.string(), keys);
         } catch (const IoError& error) {
             throw Error(where.text() + ": " + error.what());
         }
@@ -184,10 +184,10 @@ SceneFiles scene_files() {
     const auto find = [](const std::string& name, const Where& where) {
         return find_material(name, folder_of(where).string(), where.text());
     };
-    const auto read_spectra = [](const std::string& file, const Where& where) {
+    const auto read_spectra = [](const std::string& file, const Where& where, const CsvKeys& keys) {
         const auto path = folder_of(where) / file;
         try {
-            return read_spectra_csv(path.string());
+            return read_spectra_csv(path.string(), keys);
         } catch (const IoError& error) {
             throw Error(where.text() + ": " + error.what());
         }

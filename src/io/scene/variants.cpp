@@ -4,7 +4,7 @@
 #include <memory>
 #include <variant>
 
-#include "io/scene/curve_csv.h"
+#include "io/scene/csv_file.h"
 #include "io/scene/scene_file.h"
 #include "io/scene/toml_tree.h"
 #include "nacre/base/error.h"

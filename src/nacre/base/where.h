@@ -20,6 +20,8 @@ struct Allowed {
     double low = 0.0;
     double high = 0.0;
     std::string_view unit = {};  ///< behind the interval in messages, e.g. "nm"
+
+    friend bool operator==(const Allowed&, const Allowed&) = default;
 };
 
 }  // namespace nacre

@@ -20,11 +20,7 @@ std::tuple<const std::string&, int, int> place_of(const Mistake& mistake) {
     return {mistake.where.file, mistake.where.line, mistake.where.column};
 }
 
-}  // namespace
-
-void throw_mistakes(const Table& table) {
-    std::vector<Mistake> mistakes;
-    table.collect_mistakes(mistakes);
+std::vector<std::string> lines_by_place(std::vector<Mistake> mistakes) {
     std::stable_sort(mistakes.begin(), mistakes.end(),
                      [](const Mistake& a, const Mistake& b) { return place_of(a) < place_of(b); });
     std::vector<std::string> lines;
@@ -32,7 +28,21 @@ void throw_mistakes(const Table& table) {
     for (Mistake& mistake : mistakes) {
         if (known.insert(mistake.text).second) lines.push_back(std::move(mistake.text));
     }
-    throw_lines(lines);
+    return lines;
+}
+
+}  // namespace
+
+void throw_mistakes(const Table& table) {
+    std::vector<Mistake> mistakes;
+    table.collect_mistakes(mistakes);
+    throw_lines(lines_by_place(std::move(mistakes)));
+}
+
+std::vector<std::string> noted_warnings(const Table& table) {
+    std::vector<Mistake> warnings;
+    table.collect_warnings(warnings);
+    return lines_by_place(std::move(warnings));
 }
 
 void throw_lines(const std::vector<std::string>& lines) {

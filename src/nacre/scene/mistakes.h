@@ -35,6 +35,9 @@ inline constexpr std::size_t most_shown_mistakes = 20;
 /// column, every text once, at most 20 lines and the number of those left out. Does nothing if nothing was noted.
 void throw_mistakes(const Table& table);
 
+/// What was noted by Table::warn() in a table and the tables in it: a line each, in the same order, every text once.
+std::vector<std::string> noted_warnings(const Table& table);
+
 /// Throws one Error of these lines, of which it shows as many; does nothing if there are none.
 void throw_lines(const std::vector<std::string>& lines);
 

@@ -165,7 +165,7 @@ Plan plan_scene(const Table& scene, const SceneFiles& files, const PlanRequest& 
               !swatches.names.empty()};
     check_plan(scene, plan, request);
     throw_mistakes(scene);
-    plan.warnings = joined(accuracy.warnings, warnings_of(plan));
+    plan.warnings = joined(joined(accuracy.warnings, noted_warnings(scene)), warnings_of(plan));
     return plan;
 }
 

@@ -92,10 +92,13 @@ public:
     void note_at(std::string_view key, std::string_view message) const;
     /// Of a required key. A key that nobody read and that may be meant is noted instead (by expect_all_read).
     void note_missing(std::string_view key, std::string_view what_is_allowed = "it is required") const;
+    /// Notes what is allowed and hardly meant. It does not make the table bad.
+    void warn(const Where& where, std::string_view message) const;
     /// Whether nothing was noted in this table and the tables in it.
     bool is_good() const;
     /// What was, in this table and the tables in it.
     void collect_mistakes(std::vector<Mistake>& mistakes) const;
+    void collect_warnings(std::vector<Mistake>& warnings) const;
 
     [[noreturn]] void fail(const Where& where, std::string_view message) const;
     [[noreturn]] void fail_at(std::string_view key, std::string_view message) const;
@@ -121,6 +124,7 @@ private:
     std::map<std::string, std::size_t, std::less<>> index_;
     mutable std::vector<std::string> asked_;  // the keys that somebody knows: what a misspelling is compared with
     mutable std::vector<Mistake> mistakes_;
+    mutable std::vector<Mistake> warnings_;
     mutable std::vector<Missing> missing_;  // keys that may yet turn out to be misspelt
 };
 

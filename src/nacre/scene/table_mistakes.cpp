@@ -43,6 +43,10 @@ void Table::note(const Error& error, const Where& where) const {
     mistakes_.push_back({placed != nullptr ? placed->where() : where, error.what()});
 }
 
+void Table::warn(const Where& where, std::string_view text) const {
+    warnings_.push_back({where, message(where, text)});
+}
+
 void Table::note_at(std::string_view key, std::string_view text) const {
     const Entry* entry = entry_of(key);
     note(entry == nullptr ? where_ : entry->value.where, text);
@@ -126,6 +130,12 @@ void Table::collect_mistakes(std::vector<Mistake>& mistakes) const {
     for (const Missing& missing : missing_) mistakes.push_back({where_, message(where_, missing.message)});
     for (const Entry& entry : entries_)
         for_each_table(entry.value, [&](const Table& table) { table.collect_mistakes(mistakes); });
+}
+
+void Table::collect_warnings(std::vector<Mistake>& warnings) const {
+    warnings.insert(warnings.end(), warnings_.begin(), warnings_.end());
+    for (const Entry& entry : entries_)
+        for_each_table(entry.value, [&](const Table& table) { table.collect_warnings(warnings); });
 }
 
 }  // namespace nacre

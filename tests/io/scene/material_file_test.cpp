@@ -150,9 +150,6 @@ TEST(MaterialFile, SaysWhatIsWrongWithARowAndInWhichLine) {
     EXPECT_EQ(row("0.43 1.5 1e999"), "some/x.yml:5: \"1e999\" is not a finite number");
     EXPECT_EQ(row("0.43 1.5"),
               "some/x.yml:5: has 2 columns; this table has 3, a wavelength in micrometres and n and k");
-    EXPECT_EQ(
-        row(""),
-        "some/x.yml:3: a table of one wavelength; two or more are needed (a constant index is a number in the scene)");
     EXPECT_EQ(yaml_message("DATA:\n - type: tabulated k\n   data: |\n    0.4 1 2\n"),
               "some/x.yml:4: has 3 columns; this table has 2, a wavelength in micrometres and k");
     EXPECT_EQ(yaml_message("\xEF\xBB\xBF"
@@ -280,6 +277,35 @@ TEST(MaterialFile, ReadsATableOfCommaSeparatedValues) {
     EXPECT_EQ(std::get<SampledCurve>(nk.k), (SampledCurve{{400, 700}, {0.5, 0}}));
 }
 
+TEST(MaterialFile, ReadsDecimalCommas) {
+    const test::TemporaryFolder folder;
+    const IndexCurve nk = read_material_file(folder.file("x.csv", "400;1,5;0,1\n500;1,4;0\n"));
+    EXPECT_EQ(std::get<SampledCurve>(nk.n), (SampledCurve{{400, 500}, {1.5, 1.4}}));
+    EXPECT_EQ(std::get<SampledCurve>(nk.k), (SampledCurve{{400, 500}, {0.1, 0}}));
+}
+
+// Micrometres under `wl`; n and k behind each other, on wavelengths of their own.
+TEST(MaterialFile, ReadsTheCsvOfRefractiveindexInfo) {
+    const test::TemporaryFolder folder;
+    const IndexCurve nk =
+        read_material_file(folder.file("ag.csv", "wl,n\n0.3,0.1\n1.005,0.2\n\nwl,k\n0.2,2\n0.5,3\n0.9,4\n"));
+    EXPECT_EQ(std::get<SampledCurve>(nk.n), (SampledCurve{{300, 1005}, {0.1, 0.2}}));
+    EXPECT_EQ(std::get<SampledCurve>(nk.k), (SampledCurve{{200, 500, 900}, {2, 3, 4}}));
+    EXPECT_EQ(nk.first_nm, 300.0);
+    EXPECT_EQ(nk.last_nm, 900.0);
+    EXPECT_EQ(std::get<SampledCurve>(read_material_file(folder.file("n.csv", "wl,n\n0.4,1.5\n0.8,1.4\n")).n),
+              (SampledCurve{{400, 800}, {1.5, 1.4}}));
+}
+
+TEST(MaterialFile, OfOneRowIsKnownAtOneWavelength) {
+    const test::TemporaryFolder folder;
+    const IndexCurve n = read_material_file(folder.file("x.csv", "550,1.5\n"));
+    EXPECT_EQ(n.first_nm, 550.0);
+    EXPECT_EQ(n.last_nm, 550.0);
+    EXPECT_EQ(parse_material_yaml("DATA:\n - type: tabulated nk\n   data: 0.55 1.5 0.1\n", "x.yml").at(550.0),
+              RefractiveIndex(1.5, 0.1));
+}
+
 TEST(MaterialFile, SaysWhatIsWrongWithATableOfCommaSeparatedValues) {
     EXPECT_EQ(csv_message(""), ": has no numbers; allowed: columns wavelength_nm,n or wavelength_nm,n,k");
     EXPECT_EQ(csv_message("nm,n\n"), ": has no numbers; allowed: columns wavelength_nm,n or wavelength_nm,n,k");
@@ -288,8 +314,9 @@ TEST(MaterialFile, SaysWhatIsWrongWithATableOfCommaSeparatedValues) {
               ":3: has 3 columns, the first row has 2; every row must have the same number");
     EXPECT_EQ(csv_message("400,1.5\n500,abc\n"), ":2:5: \"abc\" is not a finite number");
     EXPECT_EQ(csv_message("4OO,1.5\n500,1.5\n"), ":1:1: \"4OO\" is not a finite number");
-    EXPECT_EQ(csv_message("400;1,5\n500;1,4\n"),
-              ":1: has two kinds of separators; write decimals with a point, and separate the columns in one way");
+    EXPECT_EQ(csv_message("wl,k\n0.4,0.1\n0.7,0.2\n"), ":2: gives k only; n is needed too");
+    EXPECT_EQ(csv_message("wl,n\n0.4,1.5\n0.5,1.5\nwl,k\n0.6,0.1\n0.7,0.2\n"),
+              ":5: n is known from 400 to 500 nm and k from 600 to 700 nm; they must overlap");
     EXPECT_EQ(csv_message("0.4,1.5\n0.7,1.4\n"),
               ":1: wavelengths end at 0.7 nm, as if they were micrometres; give nanometres");
     EXPECT_EQ(csv_message("400,1.5,0\n500,1.5,-1e-9\n"),
@@ -297,8 +324,6 @@ TEST(MaterialFile, SaysWhatIsWrongWithATableOfCommaSeparatedValues) {
     EXPECT_EQ(csv_message("400,1.5\n500,1.5\n400,1.6\n"),
               ":3: 400 nm is given twice, with n = 1.6 and in line 1 with n = 1.5; give it once");
     EXPECT_EQ(csv_message("-400,1.5\n500,1.5\n"), ":1: wavelength -400 nm is not above 0; allowed: above 0");
-    EXPECT_EQ(csv_message("400,1.5\n"),
-              ":1: a table of one wavelength; two or more are needed (a constant index is a number in the scene)");
 }
 
 TEST(MaterialFile, SaysWhyAFileCannotBeRead) {

@@ -1,6 +1,5 @@
 #include <gtest/gtest.h>
 
-#include "io/scene/curve_csv.h"
 #include "io/scene/scene_file.h"
 #include "nacre/paper/paper.h"
 #include "nacre/scene/plan.h"

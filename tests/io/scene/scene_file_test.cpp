@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "io/scene/curve_csv.h"
+#include "io/scene/csv_table.h"
 #include "nacre/base/error.h"
 #include "support/folders.h"
 
@@ -159,7 +159,8 @@ TEST(CurveCsv, HeadingsCommentsBlanksSeparatorsAndByteOrderMarksAreAccepted) {
     for (const std::string text : {"400,1\n500,2\n", "# lamp\nwavelength_nm,power\n400,1\n500,2\n",
                                    "\xEF\xBB\xBF"
                                    "nm;power\r\n400;1\r\n500;2\r\n",
-                                   " 400 \t 1 \n\n 500 \t +2 \n"}) {
+                                   " 400 \t 1 \n\n 500 \t +2 \n", "500,2\n400,1\n",
+                                   "Lamp 3; 2024\nOperator: A, B\nWellenlaenge;Wert\n400;1,0\n500;2,0\n"}) {
         const SampledCurve curve = read_curve_csv(folder.file("lamp.csv", text));
         EXPECT_EQ(curve, (SampledCurve{{400, 500}, {1, 2}})) << text;
     }
@@ -168,8 +169,23 @@ TEST(CurveCsv, HeadingsCommentsBlanksSeparatorsAndByteOrderMarksAreAccepted) {
 TEST(CurveCsv, WhatIsNoCurveIsRefusedWithItsLine) {
     const test::TemporaryFolder folder;
     for (const std::string text : {"", "400,1\n", "400,1\nfive,2\n", "400,1,3\n500,2,3\n", "400,1\n500,inf\n",
-                                   "400,1\n500,\n", "500,1\n400,2\n"}) {
+                                   "400,1\n500,\n", "400,1\n500,2\n450,2\n", "4OO,1\n500,2\n600,3\n"}) {
         EXPECT_THROW(read_curve_csv(folder.file("lamp.csv", text)), Error) << text;
+    }
+}
+
+TEST(CurveCsv, SeveralColumnsNeedAChoice) {
+    const test::TemporaryFolder folder;
+    const std::string path = folder.file("lamps.csv", "wl;LED 1;LED 2\n400;1;-0,01\n500;2;4\n");
+    EXPECT_EQ(read_curve_csv(path, {.column = "LED 2", .clips_negative = true}), (SampledCurve{{400, 500}, {0, 4}}));
+    EXPECT_EQ(read_curve_csv(path, {.column = "LED 2"}), (SampledCurve{{400, 500}, {-0.01, 4}}));
+    try {
+        read_curve_csv(path);
+        FAIL() << "was accepted";
+    } catch (const Error& error) {
+        EXPECT_EQ(error.what(), path +
+                                    ":1:10: the table has several columns of values; choose one with column = \"LED "
+                                    "1\" in the scene");
     }
 }
 

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "io/scene/curve_csv.h"
+#include "io/scene/csv_table.h"
 #include "io/scene/scene_file.h"
 #include "io/scene/spectra_csv.h"
 #include "nacre/base/error.h"
@@ -41,8 +41,12 @@ public:
         const Table& material = *scene.table("material")->table("m");
         const MaterialReader find_material = scene_files().find_material;
         const SceneContext context{{find_material, first_nm_, last_nm_},
-                                   [&](const std::string& file, const Where&) { return read_curve_csv(path(file)); },
-                                   [&](const std::string& file, const Where&) { return read_spectra_csv(path(file)); }};
+                                   [&](const std::string& file, const Where&, const CsvKeys& keys) {
+                                       return read_curve_csv(path(file), keys);
+                                   },
+                                   [&](const std::string& file, const Where&, const CsvKeys& keys) {
+                                       return read_spectra_csv(path(file), keys);
+                                   }};
         Mechanism mechanism = read_mechanism(material, context).mechanism;
         material.expect_all_read();
         throw_mistakes(scene);
@@ -643,7 +647,8 @@ const std::vector<Mistake> measured_mistakes{
     {"FileAndNumbers", measured + "file = \"beetle.csv\"\nangle_deg = [0]\n",
      "s.toml:4:13 [material.m]: file and angle_deg are both given; give one of them"},
     {"FileWithHoles", measured + "file = \"holes.csv\"\n",
-     "holes.csv:2:9: reflectance is missing; give one for every wavelength and angle"},
+     "holes.csv:2:9: the value is missing; fill it in, or delete the row: nacre interpolates between the rows that are "
+     "left"},
     {"FileThatIsNoName", measured + "file = 3\n", "s.toml:3:8 [material.m]: file = 3 is a whole number; give a string"},
     {"OneWavelength", measured + "wavelength_nm = [400]\nangle_deg = [0]\nreflectance = [[0.1]]\n",
      "s.toml:3:17 [material.m]: wavelength_nm has 1 numbers; allowed 2 to 1000000"},
@@ -769,9 +774,11 @@ const std::vector<Mistake> effect_mistakes{
     {"RgbWithWavelengths", good_film + "base = { rgb = [1, 0, 0], wavelength_nm = [400, 500] }\n",
      "s.toml:7:27 [material.m]: unknown key \"wavelength_nm\"; known: rgb, spectrum, reflectance, pigment, metal"},
     {"BaseBrighterThanOne", good_film + "base = { spectrum = \"bright.csv\" }\n",
-     "s.toml:7:21 [material.m]: \"bright.csv\" has a reflectance above 1, 1.2 at 500 nm; allowed [0, 1]"},
+     "s.toml:7:21 [material.m]: \"bright.csv\" has a reflectance above 1, 1.2 at 500 nm; allowed [0, 1]; write unit = "
+     "\"percent\" if it is percent"},
     {"BaseBelowZero", good_film + "base = { spectrum = \"dark.csv\" }\n",
-     "s.toml:7:21 [material.m]: \"dark.csv\" has a reflectance below 0, -0.01 at 400 nm; allowed [0, 1]"},
+     "s.toml:7:21 [material.m]: \"dark.csv\" has a reflectance below 0, -0.01 at 400 nm; allowed [0, 1]; write "
+     "negative = \"clip\" if it is noise"},
     {"SpectrumWithoutReflectance", good_film + "base = { wavelength_nm = [400, 500] }\n",
      "s.toml:7:8 [material.m]: reflectance is missing; give an array of numbers"},
     {"SpectrumWithoutWavelengths", good_film + "base = { reflectance = [0.4, 0.5] }\n",

@@ -48,7 +48,8 @@ RgbBase read_rgb(const Table& table) {
 
 SpectrumBase read_spectrum_file(const Table& table, const Value& value, const SceneContext& context) {
     const std::string& file = table.checked_text("spectrum", value);
-    SampledCurve curve = context.read_curve(file, value.where);
+    const CsvKeys keys = read_csv_keys(table, true);
+    SampledCurve curve = context.read_curve(file, value.where, keys);
     // Instruments see further than eyes, and their last values may be noise.
     crop_curve(curve, context.index.first_nm, context.index.last_nm);
     if (curve.value.size() > most_samples) {
@@ -57,9 +58,13 @@ SpectrumBase read_spectrum_file(const Table& table, const Value& value, const Sc
     }
     for (std::size_t i = 0; i < curve.value.size(); ++i) {
         if (curve.value[i] >= 0.0 && curve.value[i] <= 1.0) continue;
-        const std::string what = curve.value[i] > 1.0 ? " has a reflectance above 1, " : " has a reflectance below 0, ";
-        table.fail(value.where, in_quotes(file) + what + number_text(curve.value[i]) + " at " +
-                                    number_text(curve.wavelength_nm[i]) + " nm; allowed [0, 1]");
+        const bool is_above = curve.value[i] > 1.0;
+        const std::string remedy = !is_above         ? "; write negative = \"clip\" if it is noise"
+                                   : keys.is_percent ? ""
+                                                     : "; write unit = \"percent\" if it is percent";
+        table.fail(value.where, in_quotes(file) + " has a reflectance " + (is_above ? "above 1, " : "below 0, ") +
+                                    number_text(curve.value[i]) + " at " + number_text(curve.wavelength_nm[i]) +
+                                    " nm; allowed [0, 1]" + remedy);
     }
     return {std::move(curve)};
 }

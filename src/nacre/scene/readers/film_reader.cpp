@@ -15,7 +15,7 @@ ReadMechanism read_film(const Table& table, const SceneContext& context) {
     Film film;
     film.incident = read_incident(table, index);
     film.index = read_required_index(table, "index", index);
-    film.thickness_nm = table.number("thickness_nm", allowed_thickness);
+    film.thickness_nm = read_thickness(table, "thickness_nm");
     film.substrate = index.read_or(table, "substrate", film.incident);
     film.thickness_spread_nm = read_spread(table);
     return {film};

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "nacre/base/text.h"
+#include "nacre/scene/readers/index_keys.h"
 
 namespace nacre {
 const Table* range_of(const Table& table, std::string_view key, const Value& value) {
@@ -45,7 +46,9 @@ void FreeReader::number(std::string_view key, const Allowed& allowed, const Free
     } else if (const Table* range = range_of(table_, key, *value)) {
         add(key, bounds(key, *range, allowed, usual.scale), set);
     } else {
-        set(search_.start, table_.checked_number(key, *value, allowed));
+        const double given = table_.checked_number(key, *value, allowed);
+        if (allowed == allowed_thickness) warn_of_thin_layer(table_, key, *value, given);
+        set(search_.start, given);
     }
 }
 

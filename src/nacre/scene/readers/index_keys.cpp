@@ -4,6 +4,8 @@
 #include <memory>
 #include <utility>
 
+#include "nacre/base/text.h"
+
 namespace nacre {
 
 Index read_required_index(const Table& table, std::string_view key, const IndexReader& reader) {
@@ -30,6 +32,20 @@ Index read_clear_medium(const Table& table, std::string_view key, const IndexRea
 
 Index read_incident(const Table& table, const IndexReader& reader) {
     return read_clear_medium(table, "incident", reader, "no light reaches the layers through it");
+}
+
+double read_thickness(const Table& table, std::string_view key) {
+    const double thickness_nm = table.number(key, allowed_thickness);
+    if (const Value* value = table.find(key)) warn_of_thin_layer(table, key, *value, thickness_nm);
+    return thickness_nm;
+}
+
+// A layer of few atoms has no refractive index of its own; a number as small as this is more likely in micrometres.
+void warn_of_thin_layer(const Table& table, std::string_view key, const Value& value, double thickness_nm) {
+    if (!(thickness_nm > 0.0 && thickness_nm < 1.0)) return;
+    table.warn(value.where, std::string(key) + " = " + value.text() +
+                                " is less than 1 nm, a layer of a few atoms; if micrometres are meant, write " +
+                                number_text(1000.0 * thickness_nm));
 }
 
 double read_spread(const Table& table) {

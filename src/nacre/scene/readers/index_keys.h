@@ -26,6 +26,10 @@ Index read_clear_medium(const Table& table, std::string_view key, const IndexRea
 /// `incident`, in which light and eye are far away.
 Index read_incident(const Table& table, const IndexReader& reader);
 
+/// A thickness of a layer, behind a key that is required. Warns of one that is less than 1 nm and not 0.
+double read_thickness(const Table& table, std::string_view key);
+void warn_of_thin_layer(const Table& table, std::string_view key, const Value& value, double thickness_nm);
+
 /// thickness_spread_nm; 0 if it is missing.
 double read_spread(const Table& table);
 

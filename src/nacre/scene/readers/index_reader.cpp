@@ -46,10 +46,10 @@ SampledCurve read_curve(const Table& table, std::string_view wavelengths_key, st
     }
     SampledCurve curve{read_numbers(table, wavelengths_key, *wavelengths, allowed_index_wavelength),
                        read_numbers(table, key, *values, allowed)};
-    if (curve.value.size() != curve.wavelength_nm.size() || curve.value.size() < 2) {
+    if (curve.value.size() != curve.wavelength_nm.size() || curve.value.empty()) {
         table.fail(values->where, std::string(wavelengths_key) + " has " + std::to_string(curve.wavelength_nm.size()) +
                                       " numbers and " + std::string(key) + " " + std::to_string(curve.value.size()) +
-                                      "; give as many of each, two or more");
+                                      "; give as many of each");
     }
     if (std::adjacent_find(curve.wavelength_nm.begin(), curve.wavelength_nm.end(), std::greater_equal<>()) !=
         curve.wavelength_nm.end()) {
@@ -174,9 +174,15 @@ void check_formula(const Table& table, const IndexCurve& curve, double first_nm,
 void IndexReader::check_range(const Table& table, const Where& where, const IndexCurve& curve) const {
     if (curve.holds_outside || (curve.first_nm <= first_nm && curve.last_nm >= last_nm)) return;
     const std::string name = curve.name.empty() ? "this index" : in_quotes(curve.name);
+    const std::string needed =
+        ", and the light needs " + number_text(first_nm) + " to " + number_text(last_nm) + " nm; ";
+    if (curve.first_nm == curve.last_nm) {
+        table.fail(where, name + " is known at " + number_text(curve.first_nm) + " nm only" + needed +
+                              "write outside = \"hold\" to use its value at all wavelengths");
+    }
     table.fail(where, name + " is known from " + number_text(curve.first_nm) + " to " + number_text(curve.last_nm) +
-                          " nm, and the light needs " + number_text(first_nm) + " to " + number_text(last_nm) +
-                          " nm; narrow [light] range_nm, or write outside = \"hold\" to go on with its end values");
+                          " nm" + needed +
+                          "narrow [light] range_nm, or write outside = \"hold\" to go on with its end values");
 }
 
 Index IndexReader::read_material(const Table& table, std::string_view key, const Value& name,
@@ -185,6 +191,8 @@ Index IndexReader::read_material(const Table& table, std::string_view key, const
     if (text.empty()) table.fail(name.where, std::string(key) + " is empty; give a number or the name of a material");
     if (!find_material) table.fail(name.where, "materials cannot be looked up here: " + in_quotes(text));
     std::shared_ptr<const IndexCurve> curve = find_material(text, name.where);
+    // Before it is cropped: the message names the range of the file.
+    if (!holds_outside) check_range(table, name.where, *curve);
     if (!curve->is_shipped || holds_outside) {
         IndexCurve own = *curve;
         own.holds_outside = holds_outside;
@@ -200,7 +208,6 @@ Index IndexReader::read_material(const Table& table, std::string_view key, const
         }
         curve = std::make_shared<const IndexCurve>(std::move(own));
     }
-    check_range(table, name.where, *curve);
     return Index(std::move(curve));
 }
 

@@ -48,7 +48,7 @@ std::string index_toml(const Index& index) {
     std::string text = "{ ";
     if (!curve.name.empty()) text += "name = " + toml_string(curve.name) + ", ";
     text += n_toml(curve) + k_toml(curve);
-    if (curve.first_nm > 0.0)
+    if (curve.first_nm > 0.0 && curve.first_nm < curve.last_nm)
         text += ", range_nm = [" + number_text(curve.first_nm) + ", " + number_text(curve.last_nm) + "]";
     if (curve.holds_outside) text += ", outside = \"hold\"";
     return text + " }";

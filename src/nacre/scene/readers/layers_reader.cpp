@@ -43,12 +43,12 @@ void read_layer_thickness(const Table& table, Depth depth, Layer& layer) {
     const Value* value = table.find("thickness_nm");
     const Table* range = value == nullptr ? nullptr : range_of(table, "thickness_nm", *value);
     if (range == nullptr) {
-        layer.thickness_nm = table.number("thickness_nm", allowed_thickness);
+        layer.thickness_nm = read_thickness(table, "thickness_nm");
         return;
     }
     check_may_grade(table, *value, depth);
-    layer.thickness_nm = range->number("from", allowed_thickness);
-    layer.last_thickness_nm = range->number("to", allowed_thickness);
+    layer.thickness_nm = read_thickness(*range, "from");
+    layer.last_thickness_nm = read_thickness(*range, "to");
     range->expect_all_read();
 }
 
@@ -89,7 +89,8 @@ Layer read_layer(const Table& table, Depth depth, const IndexReader& reader) {
 
 std::vector<Layer> read_list(const Table& table, const Value& value, Depth depth, const IndexReader& reader) {
     const Value::Array& list = table.checked_array("layers", value);
-    if (list.empty()) table.fail(value.where, "layers is empty; give one layer or more");
+    // A stack without layers is a bare surface, with which a coating is compared.
+    if (list.empty() && depth > 0) table.fail(value.where, "layers is empty; give one layer or more");
     if (depth > deepest_group) {
         table.fail(value.where,
                    "groups are nested too deeply; at most " + std::to_string(deepest_group) + " levels are allowed");

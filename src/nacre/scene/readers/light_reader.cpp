@@ -58,6 +58,14 @@ SampledCurve read_inline_curve(const Table& table) {
     return curve;
 }
 
+// A file is known by its name, and one of its columns by both names.
+void read_lamp_file(const std::string& file, const Where& where, const CsvKeys& keys, const CurveReader& read_curve,
+                    LightSettings& settings) {
+    settings.power = read_curve(file, where, keys);
+    settings.illuminant = file.substr(file.find_last_of("/\\") + 1) + (keys.column.empty() ? "" : " " + keys.column);
+    settings.is_table = true;
+}
+
 void read_illuminant(const Table& table, LightSettings& settings, const CurveReader& read_curve) {
     const Value* value = table.find("illuminant");
     if (value == nullptr) {
@@ -66,9 +74,14 @@ void read_illuminant(const Table& table, LightSettings& settings, const CurveRea
     }
     if (std::holds_alternative<std::shared_ptr<Table>>(value->data)) {
         const Table& inline_table = table.checked_table("illuminant", *value);
-        settings.illuminant = inline_table.text_or("name", "table");
-        settings.power = read_inline_curve(inline_table);
         settings.is_table = true;
+        if (const Value* file = inline_table.find("file")) {
+            read_lamp_file(inline_table.checked_text("file", *file), file->where, read_csv_keys(inline_table, false),
+                           read_curve, settings);
+        } else {
+            settings.illuminant = inline_table.text_or("name", "table");
+            settings.power = read_inline_curve(inline_table);
+        }
         inline_table.expect_all_read();
         return;
     }
@@ -84,33 +97,39 @@ void read_illuminant(const Table& table, LightSettings& settings, const CurveRea
         table.fail(value->where, "unknown illuminant " + in_quotes(name) + "; known: " + comma_separated(known) +
                                      ", or the name of a .csv file of wavelength_nm,power");
     }
-    settings.power = read_curve(name, value->where);
-    settings.illuminant = name.substr(name.find_last_of("/\\") + 1);
-    settings.is_table = true;
+    read_lamp_file(name, value->where, {}, read_curve, settings);
 }
 
-// A table of the user's may be anything: it must cover the range, have light in it, and a white that can be adapted.
+// Before the table is cropped: the message names the range of the file.
+void check_covers(const Table& table, const LightSettings& settings) {
+    const std::vector<double>& nm = settings.power.wavelength_nm;
+    if (nm.front() <= settings.first_nm && nm.back() >= settings.last_nm) return;
+    table.fail_at("illuminant", "illuminant " + in_quotes(settings.illuminant) + " covers " + number_text(nm.front()) +
+                                    " to " + number_text(nm.back()) + " nm; range_nm needs " +
+                                    std::to_string(settings.first_nm) + " to " + std::to_string(settings.last_nm) +
+                                    " nm");
+}
+
+// A table of the user's may be anything: it must have light in it, and a white that can be adapted.
 void check_power(const Table& table, const LightSettings& settings) {
     const auto& [nm, power] = settings.power;
     const auto fail = [&](const std::string& message) {
         table.fail_at("illuminant", "illuminant " + in_quotes(settings.illuminant) + " " + message);
     };
-    if (nm.front() > settings.first_nm || nm.back() < settings.last_nm) {
-        fail("covers " + number_text(nm.front()) + " to " + number_text(nm.back()) + " nm; range_nm needs " +
-             std::to_string(settings.first_nm) + " to " + std::to_string(settings.last_nm) + " nm");
-    }
     if (power.size() > most_light_samples)
         fail("has more than " + std::to_string(most_light_samples) + " values in range_nm");
     for (std::size_t i = 0; i < power.size(); ++i) {
         if (power[i] >= any_power.low && power[i] <= any_power.high) continue;
         fail("is " + number_text(power[i]) + " at " + number_text(nm[i]) + " nm; power is 0 to " +
-             number_text(any_power.high));
+             number_text(any_power.high) +
+             (power[i] < 0.0 ? "; write { file = \"NAME\", negative = \"clip\" } if it is noise" : ""));
     }
-    double luminance = 0.0;
-    for (int i = settings.first_nm; i <= settings.last_nm; ++i) {
-        luminance += settings.power.at(i) * colour_matching(settings.observer, i)[1];
+    // Linear between its nodes, a lamp has light if it has some at a node inside, or at an end.
+    double light = settings.power.at(settings.first_nm) + settings.power.at(settings.last_nm);
+    for (std::size_t i = 0; i < power.size(); ++i) {
+        if (nm[i] > settings.first_nm && nm[i] < settings.last_nm) light += power[i];
     }
-    if (!(luminance > 0.0)) fail("has no visible light in range_nm; give it power there, or widen range_nm");
+    if (!(light > 0.0)) fail("has no visible light in range_nm; give it power there, or widen range_nm");
 }
 
 }  // namespace
@@ -126,9 +145,12 @@ LightSettings read_light(const Table* light, std::optional<int> wavelengths, con
     attempt(table, table.where(), [&] { read_illuminant(table, settings, read_curve); });
     table.expect_all_read();
     if (settings.is_table && table.is_good()) {
-        // Lamps are measured further than eyes see, and their last values may be noise below zero.
-        crop_curve(settings.power, settings.first_nm, settings.last_nm);
-        attempt(table, table.where(), [&] { check_power(table, settings); });
+        attempt(table, table.where(), [&] {
+            check_covers(table, settings);
+            // Lamps are measured further than eyes see, and their last values may be noise below zero.
+            crop_curve(settings.power, settings.first_nm, settings.last_nm);
+            check_power(table, settings);
+        });
     }
     return settings;
 }

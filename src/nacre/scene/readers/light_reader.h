@@ -7,13 +7,14 @@
 #include "nacre/base/sampled_curve.h"
 #include "nacre/base/where.h"
 #include "nacre/colour/light.h"
+#include "nacre/scene/readers/csv_keys.h"
 #include "nacre/scene/table.h"
 
 namespace nacre {
 
-/// Reads a table of spectral power for the core. The front end finds the file beside the scene; a curve that comes
+/// Reads a curve over wavelength for the core. The front end finds the file beside the scene; a curve that comes
 /// back ascends and is finite. Throws Error or IoError.
-using CurveReader = std::function<SampledCurve(const std::string& file, const Where& where)>;
+using CurveReader = std::function<SampledCurve(const std::string& file, const Where& where, const CsvKeys& keys)>;
 
 /// Reads [light] (null: all defaults) and `wavelengths` of [accuracy]. Notes mistakes; what comes back can be used only
 /// if the table is good.

@@ -3,9 +3,11 @@
 #include <array>
 #include <cstddef>
 #include <functional>
+#include <optional>
 #include <utility>
 
 #include "nacre/base/text.h"
+#include "nacre/scene/readers/csv_keys.h"
 #include "nacre/scene/readers/mechanism_readers.h"
 
 namespace nacre {
@@ -15,6 +17,7 @@ constexpr Allowed allowed_measured_wavelength{1.0, 1e6, "nm"};
 constexpr Allowed allowed_angle{0.0, 90.0, "degrees"};
 // Beside a matt white standard a glossy one may have several times as much; a hundred times is a percentage.
 constexpr Allowed allowed_measured_reflectance{0.0, 10.0};
+constexpr Allowed allowed_measured_percent{0.0, 1000.0};
 constexpr std::size_t most_values = 1000000;  // chosen: 8 MB, far more than any instrument gives
 
 constexpr std::array<std::string_view, 3> number_keys{"wavelength_nm", "angle_deg", "reflectance"};
@@ -39,7 +42,8 @@ std::vector<double> read_ascending(const Table& table, std::string_view key, con
 }
 
 // One row per angle, one number per wavelength.
-std::vector<double> read_rows(const Table& table, const MeasuredSpectra& spectra) {
+std::vector<double> read_rows(const Table& table, const MeasuredSpectra& spectra, bool is_percent) {
+    const Allowed& allowed = is_percent ? allowed_measured_percent : allowed_measured_reflectance;
     const std::size_t wavelengths = spectra.wavelength_nm.size();
     const Value& rows = required(table, "reflectance", "give an array of one row per angle");
     const Value::Array& list = table.checked_array("reflectance", rows);
@@ -53,7 +57,10 @@ std::vector<double> read_rows(const Table& table, const MeasuredSpectra& spectra
     }
     std::vector<double> reflectance;
     for (const Value& element : list) {
-        const std::vector<double> row = table.checked_numbers("reflectance", element, allowed_measured_reflectance);
+        std::vector<double> row = table.checked_numbers("reflectance", element, allowed);
+        if (is_percent) {
+            for (double& value : row) value /= 100.0;
+        }
         if (row.size() != wavelengths) {
             table.fail(element.where, "reflectance has " + std::to_string(row.size()) + " numbers in this row; give " +
                                           std::to_string(wavelengths) + ", one per wavelength_nm");
@@ -73,7 +80,9 @@ MeasuredSpectra read_inline(const Table& table) {
         table.fail_missing("file", "name a .csv, or give wavelength_nm, angle_deg and reflectance");
     spectra.wavelength_nm = read_ascending(table, "wavelength_nm", allowed_measured_wavelength, 2);
     spectra.angle_deg = read_ascending(table, "angle_deg", allowed_angle, 1);
-    spectra.reflectance = read_rows(table, spectra);
+    const std::optional<bool> is_percent = read_is_percent(table);
+    spectra.reflectance = read_rows(table, spectra, is_percent.value_or(false));
+    warn_of_bright_spectra(table, table.find("reflectance")->where, spectra, is_percent);
     return spectra;
 }
 
@@ -92,7 +101,9 @@ ReadMechanism read_measured(const Table& table, const SceneContext& context) {
             table.fail(given->where, "file and " + std::string(other) + " are both given; give one of them");
     }
     if (!context.read_spectra) table.fail(file->where, "files cannot be read here: " + toml_string(name));
-    MeasuredSpectra spectra = context.read_spectra(name, file->where);
+    const CsvKeys keys = read_csv_keys(table, true);
+    MeasuredSpectra spectra = context.read_spectra(name, file->where, keys);
+    warn_of_bright_spectra(table, file->where, spectra, keys.is_percent);
     spectra.file = name;
     return {std::move(spectra)};
 }
@@ -101,6 +112,9 @@ std::string measured_toml(const Mechanism& mechanism) {
     const auto& spectra = std::get<MeasuredSpectra>(mechanism);
     const std::size_t count = spectra.wavelength_nm.size();
     std::string text = "mechanism = \"measured\"\n";
+    // Said, so that it is no cause for a warning.
+    if (*std::max_element(spectra.reflectance.begin(), spectra.reflectance.end()) > 1.0)
+        text += "unit = \"fraction\"\n";
     if (!spectra.file.empty()) text += "name = " + toml_string(spectra.file) + "\n";
     text += "wavelength_nm = " + list_text(spectra.wavelength_nm.data(), count) +
             "\nangle_deg = " + list_text(spectra.angle_deg.data(), spectra.angle_deg.size()) + "\nreflectance = [\n";

@@ -63,11 +63,13 @@ Geometry read_place(const Table& pick, Quantity quantity, double& angle_deg) {
 // { measured = FILE }: the colours of spectra at their angles. Of many angles, 16 evenly spread ones.
 std::vector<WantedPick> read_measured_colours(const Table& table, const SceneContext& context, const Mechanism& start) {
     const std::string file = table.text("measured");
+    const CsvKeys keys = read_csv_keys(table, true);
     table.expect_all_read();
     const Where where = table.find("measured")->where;
     if (quantity_of(start) != Quantity::incidence)
         table.fail(where, "measured spectra describe mirror reflection, and a grating has none");
-    const MeasuredSpectra spectra = context.read_spectra(file, where);
+    const MeasuredSpectra spectra = context.read_spectra(file, where, keys);
+    warn_of_bright_spectra(table, where, spectra, keys.is_percent);
     const std::size_t angles = spectra.angle_deg.size();
     const std::size_t taken = std::min(angles, most_measured);
     std::vector<WantedPick> picks(taken);

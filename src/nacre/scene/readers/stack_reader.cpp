@@ -36,10 +36,10 @@ std::vector<Layer> read_lamellae(const Table& table, const IndexReader& reader) 
     for (const std::string_view known : {"film", "film_nm", "gap", "gap_nm", "films"}) table.find(known);
     Layer film;
     film.index = read_required_index(table, "film", reader);
-    film.thickness_nm = table.number("film_nm", allowed_thickness);
+    film.thickness_nm = read_thickness(table, "film_nm");
     Layer gap;
     gap.index = reader.read_or(table, "gap", Index(1.0));
-    gap.thickness_nm = table.number("gap_nm", allowed_thickness);
+    gap.thickness_nm = read_thickness(table, "gap_nm");
     Layer group;
     group.repeat = table.integer_or("films", allowed_films, 10);
     group.layers = {film, gap};
@@ -50,7 +50,9 @@ std::vector<Layer> read_form(const Table& table, const IndexReader& index, Stack
     if (form == StackForm::lamellae) return read_lamellae(table, index);
     const Value* layers = table.find("layers");
     if (layers == nullptr) {
-        table.note_missing("layers", "give [ { index, thickness_nm }, ... ] in the order in which light meets them");
+        table.note_missing(
+            "layers",
+            "give [ { index, thickness_nm }, ... ] in the order in which light meets them, or [] for a bare surface");
         return {};
     }
     std::vector<Layer> read;

@@ -42,7 +42,8 @@ TEST(Accuracy, AskedAndReachedStandInHeaderManifestAndSummary) {
     EXPECT_EQ(accuracy["max_de00"], 0.5);
     EXPECT_EQ(accuracy["reached"], reached);
     EXPECT_NEAR(accuracy["predicted"].get<double>(), reached, 0.01 * reached);
-    EXPECT_NE(result.out.find("morpho.exr  128 x 1 half  lin_rec709 (config nacre)  dE00 0.41 of 0.5"), std::string::npos)
+    EXPECT_NE(result.out.find("morpho.exr  128 x 1 half  lin_rec709 (config nacre)  dE00 0.41 of 0.5"),
+              std::string::npos)
         << result.out;
 }
 

@@ -357,9 +357,10 @@ TEST(Interchange, AnAcesInterchangeThatIsNotAcesIsRefused) {
     EXPECT_EQ(message("no_interchange.ocio", "Studio XYZ").substr(0, 110),
               "scene.toml:4: aces_interchange \"Studio XYZ\" of config \"no_interchange.ocio (studio)\" is wrong: with "
               "it, D65 wh");
-    EXPECT_EQ(message("aces_names_no_role.ocio", "ACES - ACES2056-1"),
-              "scene.toml:4: unknown colour space \"ACES - ACES2056-1\" in config \"aces_names_no_role.ocio (old aces)\"; "
-              "nearest: ACES - ACES2065-1");
+    EXPECT_EQ(
+        message("aces_names_no_role.ocio", "ACES - ACES2056-1"),
+        "scene.toml:4: unknown colour space \"ACES - ACES2056-1\" in config \"aces_names_no_role.ocio (old aces)\"; "
+        "nearest: ACES - ACES2065-1");
 }
 
 TEST(Interchange, AnAcesInterchangeOverrulesAWrongRole) {

@@ -41,11 +41,11 @@ public:
         const Table& material = *scene.table("material")->table("m");
         const MaterialReader find_material = scene_files().find_material;
         const SceneContext context{{find_material, first_nm_, last_nm_},
-                                   [&](const std::string& file, const Where&, const CsvKeys& keys) {
-                                       return read_curve_csv(path(file), keys);
+                                   [&](const std::string& file, const Where&, const CsvKeys& columns) {
+                                       return read_curve_csv(path(file), columns);
                                    },
-                                   [&](const std::string& file, const Where&, const CsvKeys& keys) {
-                                       return read_spectra_csv(path(file), keys);
+                                   [&](const std::string& file, const Where&, const CsvKeys& columns) {
+                                       return read_spectra_csv(path(file), columns);
                                    }};
         Mechanism mechanism = read_mechanism(material, context).mechanism;
         material.expect_all_read();

@@ -54,6 +54,7 @@ std::string without_places(const std::string& message) {
 Plan plan_of(const std::string& scene, const PickOptions& options, Console& console) {
     SceneRequest request = scene_request(options.ocio, console);
     request.all_materials = true;
+    request.wants_pale_paths = true;
     request.on_warning = {};
     try {
         return plan_text(scene, scene_name, request);

@@ -67,6 +67,7 @@ int run_plan(const PlanOptions& options, Console& console) {
     request.only = options.only;
     request.edits = scene_edits(options.edits);
     request.strict = options.strict;
+    request.wants_pale_paths = true;
     request.colours = options.colours;
     std::vector<LoadedScene> scenes = open_scenes(options.scenes, request, console);
     override_accuracy(scenes, accuracy_override(options.accuracy, options.effects));

@@ -138,7 +138,8 @@ void open_display_of_pngs(const Plan& plan, LoadedScene& scene) {
 Plan plan_table(const Table& table, const std::string& path, const SceneRequest& request) {
     Plan plan =
         plan_scene(table, scene_files_with_colours(path, request.config, request.open_colours, request.after_step),
-                   {request.only, request.all_materials, request.strict, request.any_thickness, request.bands});
+                   {request.only, request.all_materials, request.strict, request.any_thickness, request.bands,
+                    request.wants_pale_paths});
     if (request.on_warning) {
         for (const std::string& warning : plan.warnings) request.on_warning(warning);
     }

@@ -33,6 +33,7 @@ struct SceneRequest {
     std::vector<SceneEdit> edits;   ///< made in every scene before it is planned
     bool all_materials = false;     ///< those too that no LUT and no swatch asks for
     bool strict = false;            ///< whether a picked colour that cannot be reached is an error
+    bool wants_pale_paths = false;  ///< whether it is to be known where a palette passes through grey
     bool any_thickness = false;     ///< whether layers may be too thick for a LUT
     /// Shared by scenes that are planned one after the other; null: each makes its own, or load_scenes() does.
     std::shared_ptr<KnownBands> bands{};

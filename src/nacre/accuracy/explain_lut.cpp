@@ -17,10 +17,12 @@ namespace {
 
 // Of large LUTs every n-th cell.
 std::vector<LutPoint> cell_middles(const Job& job) {
-    constexpr int most_per_side = 64;  // empirical: interpolation errs alike in neighbouring cells of a large LUT
+    // Empirical: interpolation errs alike in neighbouring cells of a large LUT, and its worst points are known.
+    constexpr int most_per_side = 64, most_in_1d = 512;
     const int columns = job.width - 1;
     const int rows = std::max(job.height - 1, 1);
-    const int column_step = job.y ? (columns + most_per_side - 1) / most_per_side : 1;
+    const int most_columns = job.y ? most_per_side : most_in_1d;
+    const int column_step = (columns + most_columns - 1) / most_columns;
     const int row_step = (rows + most_per_side - 1) / most_per_side;
     std::vector<LutPoint> points;
     for (int row = 0; row < rows; row += row_step) {

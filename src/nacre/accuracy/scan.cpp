@@ -26,7 +26,7 @@ namespace nacre {
 namespace {
 
 // How many points a side a cell gets, so that each LUT is scanned finely enough however few cells it has.
-constexpr int fewest_in_1d = 4;
+constexpr int fewest_in_1d = 2;
 constexpr int fewest_in_2d = 2;
 constexpr int fewest_columns_in_1d = 2048;
 constexpr int fewest_columns_in_2d = 384;
@@ -40,7 +40,7 @@ constexpr int most_middles = 128;
 
 // Cells within this factor of the worst are looked at again, so many at most.
 constexpr double worth_refining = 0.55;
-constexpr std::size_t most_refined = 64;
+constexpr std::size_t most_refined = 32;
 constexpr int refined_in_1d = 16;
 constexpr int refined_in_2d = 8;
 

@@ -18,7 +18,7 @@ struct Scan {
 
 /// The largest error over all coordinates: between the texels too, where the linear filter leaves the curve.
 ///
-/// Every cell is looked at on an even grid, four points a side in 1D and two in 2D, more where cells are few, and at
+/// Every cell is looked at on an even grid, two points a side, more where cells are few, and at
 /// the model's breakpoints (picks; where a clamp begins). Then the worst cells once more, finely, and their worst
 /// points are closed in on. A LUT so large that this were more than some millions of points is looked at on every n-th
 /// line only.

@@ -146,7 +146,9 @@ Plan plan_scene(const Table& scene, const SceneFiles& files, const PlanRequest& 
     const ColourSettings colour = plan_colour(scene);
 
     const auto bands = request.bands ? request.bands : std::make_shared<KnownBands>();
-    Materials materials(scene, material_context(scene, files, light, colour, bands), light, request.any_thickness);
+    SceneContext context = material_context(scene, files, light, colour, bands);
+    context.picks.wants_pale_paths = request.wants_pale_paths;
+    Materials materials(scene, std::move(context), light, request.any_thickness);
     const SceneParts parts{scene, accuracy, colour, light, materials, request.any_thickness};
     PlannedLuts luts = plan_luts(parts, request);
     PlannedSwatches swatches = plan_swatches(parts, request, luts.names);

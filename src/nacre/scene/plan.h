@@ -66,6 +66,7 @@ struct PlanRequest {
     bool any_thickness = false;  ///< whether layers may be so thick that no sampling of a LUT resolves their fringes
     /// Shared by plans that are made one after the other; null: the plan makes its own.
     std::shared_ptr<KnownBands> bands{};
+    bool wants_pale_paths = false;  ///< whether SceneMaterial::pale_paths are looked for
 
     bool wants(const std::string& name) const;
 };

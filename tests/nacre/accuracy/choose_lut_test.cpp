@@ -378,9 +378,9 @@ TEST(ChooseLut, TakesNoMoreEvaluationsThanItDid) {
     EXPECT_EQ(test::without_effects(choose_lut(requested_lut(test::job_of(test::morpho), 0.1), encoding).work),
               work_of(4937, 1087, 3850));
     EXPECT_EQ(test::without_effects(choose_lut(requested_lut(test::job_of(test::beetle), 0.01), encoding).work),
-              work_of(4705, 575, 4130));
+              work_of(4381, 575, 3806));
     EXPECT_EQ(test::without_effects(choose_lut(requested_lut(width_plane(), 1.0), encoding).work),
-              work_of(115635, 7523, 108112));
+              work_of(100051, 7523, 92528));
 }
 
 }  // namespace

@@ -113,7 +113,8 @@ std::string measured_toml(const Mechanism& mechanism) {
     const std::size_t count = spectra.wavelength_nm.size();
     std::string text = "mechanism = \"measured\"\n";
     // Said, so that it is no cause for a warning.
-    if (*std::max_element(spectra.reflectance.begin(), spectra.reflectance.end()) > 1.0)
+    const auto is_above_1 = [](double reflectance) { return reflectance > 1.0; };
+    if (std::any_of(spectra.reflectance.begin(), spectra.reflectance.end(), is_above_1))
         text += "unit = \"fraction\"\n";
     if (!spectra.file.empty()) text += "name = " + toml_string(spectra.file) + "\n";
     text += "wavelength_nm = " + list_text(spectra.wavelength_nm.data(), count) +

@@ -117,7 +117,7 @@ ReadMechanism read_palette(const Table& table, const SceneContext& context) {
     const std::optional<ShapeFit> fit = fit_open_shape(table, context.picks, palette);
     if (fit) palette.shape = fit->shape;
     std::vector<PalePath> pale;
-    if (!asked.empty())
+    if (context.picks.wants_pale_paths && !asked.empty())
         pale = pale_paths_with_advice(palette, asked, context.picks.lobe_colour, context.picks.find.bands);
     ReadMechanism read{std::move(palette), {}, fit, std::move(pale), {}};
     for (std::size_t i = 0; i < picks.size(); ++i) {

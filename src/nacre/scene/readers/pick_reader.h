@@ -38,6 +38,7 @@ struct PickReaders {
     BandReader find;
     LobeColour lobe_colour;
     MeasuredColourReader measured_colour;
+    bool wants_pale_paths = false;  ///< PlanRequest
 };
 
 inline constexpr Allowed allowed_pick_angle{0.0, 90.0, "degrees"};

@@ -53,7 +53,8 @@ std::string from_utf16(std::string_view bytes, bool is_little_endian) {
     std::string text;
     std::uint32_t high = 0;
     for (std::size_t i = 2; i + 1 < bytes.size(); i += 2) {
-        const auto first = static_cast<unsigned char>(bytes[i]), second = static_cast<unsigned char>(bytes[i + 1]);
+        const std::uint32_t first = static_cast<unsigned char>(bytes[i]);
+        const std::uint32_t second = static_cast<unsigned char>(bytes[i + 1]);
         const std::uint32_t unit = is_little_endian ? second << 8 | first : first << 8 | second;
         if (unit >= 0xD800 && unit < 0xDC00) {
             high = unit;

@@ -156,11 +156,10 @@ TEST(SceneFile, MistakesInIncludeSayWhatIsAllowed) {
 
 TEST(CurveCsv, HeadingsCommentsBlanksSeparatorsAndByteOrderMarksAreAccepted) {
     const test::TemporaryFolder folder;
-    for (const std::string text : {"400,1\n500,2\n", "# lamp\nwavelength_nm,power\n400,1\n500,2\n",
-                                   "\xEF\xBB\xBF"
-                                   "nm;power\r\n400;1\r\n500;2\r\n",
-                                   " 400 \t 1 \n\n 500 \t +2 \n", "500,2\n400,1\n",
-                                   "Lamp 3; 2024\nOperator: A, B\nWellenlaenge;Wert\n400;1,0\n500;2,0\n"}) {
+    for (const std::string text :
+         {"400,1\n500,2\n", "# lamp\nwavelength_nm,power\n400,1\n500,2\n", "\xEF\xBB\xBFnm;power\r\n400;1\r\n500;2\r\n",
+          " 400 \t 1 \n\n 500 \t +2 \n", "500,2\n400,1\n",
+          "Lamp 3; 2024\nOperator: A, B\nWellenlaenge;Wert\n400;1,0\n500;2,0\n"}) {
         const SampledCurve curve = read_curve_csv(folder.file("lamp.csv", text));
         EXPECT_EQ(curve, (SampledCurve{{400, 500}, {1, 2}})) << text;
     }

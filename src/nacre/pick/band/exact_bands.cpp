@@ -177,8 +177,8 @@ ExactBands::Nearest ExactBands::nearest(const ColourSolid::Stretch& stretch, con
     const auto consider = [&](const UnitBand& band) {
         const Xyz reached = colour_of(stretch.kind, band);
         const Xyz dimmed = scaled(reached, std::min(level_of(target, reached), 1.0));
-        const double difference = ciede2000(lab(target), lab(dimmed));
-        if (difference < best.de00) best = {stretch.kind, band, difference};
+        const double de00 = ciede2000(lab(target), lab(dimmed));
+        if (de00 < best.de00) best = {stretch.kind, band, de00};
         return best.de00 < invisible_de00;
     };
     const UnitBand rectangle = rectangle_of(stretch);

@@ -59,7 +59,7 @@ struct Steps {
 
 // @param side  0, or the way round that is counted where hues are nearly opposite: 1 upwards from one's, -1 downwards
 // 1 - 0.17 cos(h - 30) + 0.24 cos 2h + 0.32 cos(3h + 6) - 0.20 cos(4h - 63), by the addition theorems: this function is
-// called for every point of every LUT that is tried, and cosines took a quarter of its time.
+// called for every point of every LUT that is tried, and cosines took a fifth of its time.
 double hue_weight(double hue_deg) {
     const double radians = hue_deg / degrees_per_radian;
     const double c1 = std::cos(radians), s1 = std::sin(radians);

@@ -24,7 +24,8 @@ public:
 private:
     static bool is_alike(const Light& a, const Light& b) {
         return a.weights.first_nm == b.weights.first_nm && a.weights.cells_per_nm == b.weights.cells_per_nm &&
-               a.weights.x == b.weights.x && a.weights.y == b.weights.y && a.weights.z == b.weights.z;
+               a.weights.x == b.weights.x && a.weights.y == b.weights.y && a.weights.z == b.weights.z &&
+               a.adaptation == b.adaptation;
     }
 
     std::shared_ptr<const Light> light_;  // the bands refer to it

@@ -4,7 +4,6 @@
 #include <OpenImageIO/imageio.h>
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 #include "nacre/base/error.h"
@@ -19,7 +18,7 @@ std::vector<Component> rounded_components(const Image<Rgb>& image) {
     components.reserve(3 * image.size());
     for (const Rgb& pixel : image) {
         for (const double value : {pixel.r, pixel.g, pixel.b})
-            components.push_back(static_cast<Component>(std::lround(most * std::clamp(value, 0.0, 1.0))));
+            components.push_back(static_cast<Component>(most * std::clamp(value, 0.0, 1.0) + 0.5));
     }
     return components;
 }

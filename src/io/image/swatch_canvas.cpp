@@ -21,6 +21,21 @@ PixelRange pixels_between(double low, double high, int size) {
             static_cast<int>(std::clamp(std::ceil(high), 0.0, limit))};
 }
 
+struct PixelBox {
+    PixelRange columns;
+    PixelRange rows;
+};
+
+// The pixels within `reach` of a line, of a picture of this size. @pre there are points
+PixelBox pixels_near(const std::vector<Point>& points, double reach, int width, int height) {
+    const auto [left, right] =
+        std::minmax_element(points.begin(), points.end(), [](const Point& a, const Point& b) { return a.x < b.x; });
+    const auto [top, bottom] =
+        std::minmax_element(points.begin(), points.end(), [](const Point& a, const Point& b) { return a.y < b.y; });
+    return {pixels_between(left->x - reach, right->x + reach, width),
+            pixels_between(top->y - reach, bottom->y + reach, height)};
+}
+
 // How much of pixel i lies in [low, high].
 double overlap(int i, double low, double high) {
     return std::max(0.0, std::min(high, i + 1.0) - std::max(low, static_cast<double>(i)));
@@ -74,14 +89,12 @@ void fit_to_width(std::string& text, int& size_px, double max_width_px, const Te
 // The coverage of everything within `reach` pixels of the letters.
 Image<float> widened(const Image<float>& image, int reach) {
     Image<float> result(image.width(), image.height());
-    for (int y = reach; y < image.height() - reach; ++y) {
-        for (int x = reach; x < image.width() - reach; ++x) {
-            for (int j = -reach; j <= reach; ++j) {
-                for (int i = -reach; i <= reach; ++i) {
-                    const double nearness = std::clamp(reach + 0.5 - std::hypot(i, j), 0.0, 1.0);
-                    const float here = static_cast<float>(nearness) * image.at(x + i, y + j);
-                    result.at(x, y) = std::max(result.at(x, y), here);
-                }
+    for (int j = -reach; j <= reach; ++j) {
+        for (int i = -reach; i <= reach; ++i) {
+            const auto nearness = static_cast<float>(std::clamp(reach + 0.5 - std::hypot(i, j), 0.0, 1.0));
+            for (int y = reach; y < image.height() - reach; ++y) {
+                for (int x = reach; x < image.width() - reach; ++x)
+                    result.at(x, y) = std::max(result.at(x, y), nearness * image.at(x + i, y + j));
             }
         }
     }
@@ -127,26 +140,28 @@ void Canvas::paste(int left, int top, const Image<Rgb>& image) {
 
 void Canvas::draw(const Polyline& line) {
     // Segments overlap at their joints; the largest coverage wins, so that joints are no darker than the line.
-    Image<float> coverage(pixels_.width(), pixels_.height());
+    if (line.points.empty()) return;
     const double reach = 0.5 * line.width_px + 0.5;
+    const PixelBox all = pixels_near(line.points, reach, pixels_.width(), pixels_.height());
+    Image<float> coverage(all.columns.end - all.columns.begin, all.rows.end - all.rows.begin);
+    const auto coverage_at = [&](int x, int y) -> float& {
+        return coverage.at(x - all.columns.begin, y - all.rows.begin);
+    };
     for (std::size_t i = 0; i + 1 < line.points.size(); ++i) {
         const Point a = line.points[i];
         const Point b = line.points[i + 1];
-        const PixelRange rows =
-            pixels_between(std::min(a.y, b.y) - reach, std::max(a.y, b.y) + reach, pixels_.height());
-        const PixelRange columns =
-            pixels_between(std::min(a.x, b.x) - reach, std::max(a.x, b.x) + reach, pixels_.width());
+        const auto [columns, rows] = pixels_near({a, b}, reach, pixels_.width(), pixels_.height());
         for (int y = rows.begin; y < rows.end; ++y) {
             for (int x = columns.begin; x < columns.end; ++x) {
                 const double here = std::clamp(reach - distance_to_segment({x + 0.5, y + 0.5}, a, b), 0.0, 1.0);
-                coverage.at(x, y) = std::max(coverage.at(x, y), static_cast<float>(here));
+                coverage_at(x, y) = std::max(coverage_at(x, y), static_cast<float>(here));
             }
         }
     }
-    for (int y = 0; y < pixels_.height(); ++y) {
-        for (int x = 0; x < pixels_.width(); ++x) {
+    for (int y = all.rows.begin; y < all.rows.end; ++y) {
+        for (int x = all.columns.begin; x < all.columns.end; ++x) {
             const double inside = line.clip ? box_coverage(x, y, *line.clip) : 1.0;
-            if (coverage.at(x, y) > 0.0F) blend(x, y, line.ink, inside * coverage.at(x, y));
+            if (coverage_at(x, y) > 0.0F) blend(x, y, line.ink, inside * coverage_at(x, y));
         }
     }
 }

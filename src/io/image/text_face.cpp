@@ -56,14 +56,6 @@ std::vector<Run> runs_of(std::string_view text, int size_px) {
     return runs;
 }
 
-// Where the next run starts. The bar makes OpenImageIO count blanks at the end, which have no pixels.
-int advance_px(const Run& run, const std::string& font) {
-    const auto end_of = [&](const std::string& text) {
-        return OIIO::ImageBufAlgo::text_size(text, run.size_px, font).xend;
-    };
-    return end_of(run.text + "|") - end_of("|");
-}
-
 }  // namespace
 
 std::vector<Letter> letters_of(std::string_view utf8) {
@@ -96,9 +88,19 @@ TextFace::TextFace(std::string file) : file_(std::move(file)) {
     }
 }
 
+// The bar makes OpenImageIO count blanks at the end, which have no pixels.
+int TextFace::advance_px(const std::string& text, int size_px) const {
+    const auto end_of = [&](const std::string& letters) {
+        const auto [place, is_new] = ends_.try_emplace({letters, size_px});
+        if (is_new) place->second = OIIO::ImageBufAlgo::text_size(letters, size_px, file_).xend;
+        return place->second;
+    };
+    return end_of(text + "|") - end_of("|");
+}
+
 int TextFace::width_px(std::string_view text, int size_px) const {
     int width = 0;
-    for (const Run& run : runs_of(text, size_px)) width += advance_px(run, file_);
+    for (const Run& run : runs_of(text, size_px)) width += advance_px(run.text, run.size_px);
     return width;
 }
 
@@ -114,7 +116,7 @@ TextPixels TextFace::draw(std::string_view text, int size_px) const {
                                              {1.0F})) {
             throw IoError("OpenImageIO cannot draw text: " + canvas.geterror());
         }
-        pen += advance_px(run, file_);
+        pen += advance_px(run.text, run.size_px);
     }
     return result;
 }

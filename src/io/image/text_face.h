@@ -1,8 +1,10 @@
 #pragma once
 
 #include <cstddef>
+#include <map>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "nacre/base/image.h"
@@ -19,7 +21,7 @@ struct TextPixels {
 /// A font that OpenImageIO draws text with.
 ///
 /// Up to version 2.4, render_text() cannot draw beyond ASCII: a degree sign becomes a small raised o, and any other
-/// such letter a question mark. May be used from many threads; OpenImageIO lets one draw at a time.
+/// such letter a question mark. Each thread needs its own; OpenImageIO lets one draw at a time.
 class TextFace {
 public:
     /// @throws IoError if the file is not a font
@@ -31,7 +33,12 @@ public:
     TextPixels draw(std::string_view text, int size_px) const;
 
 private:
+    // Where the next letter would start.
+    int advance_px(const std::string& text, int size_px) const;
+
     std::string file_;
+    mutable std::map<std::pair<std::string, int>, int>
+        ends_;  // of texts of a size, because OpenImageIO measures slowly
 };
 
 /// A letter of UTF-8 and how many bytes it takes; every byte that is not part of a letter counts as one U+FFFD.

@@ -127,13 +127,15 @@ Spherical spherical(double w) {
     if (std::abs(w) < 2.0) {
         // Each is an integral over [-1, 1] of cos(w s) or sin(w s) times a power of s, term by term.
         Spherical sum{0.0, 0.0, 0.0};
-        double term = 1.0;  // (-1)^k w^(2 k) / (2 k)!
+        double term = 1.0;                    // (-1)^k w^(2 k) / (2 k)!
+        constexpr double negligible = 1e-18;  // of the sums, which begin with the square of w: no digit changes
         for (int k = 1; k < 14; ++k) {
             const double before = term;
             term *= -w * w / ((2.0 * k - 1.0) * (2.0 * k));
             sum.one_less_j0 -= term / (2.0 * k + 1.0);
             sum.j1 += before * w / ((2.0 * k - 1.0) * (2.0 * k + 1.0));
             sum.third_less -= term / (2.0 * k + 3.0);
+            if (std::abs(term) < negligible * w * w) break;
         }
         return sum;
     }

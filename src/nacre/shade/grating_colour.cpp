@@ -216,11 +216,16 @@ Xyz GratingColour::at(double u) const {
     const double least_exponent = azimuth * square(per_nm_.back());
     Far shared;
     Xyz sum;
+    const auto factor_at = [&](std::size_t point) {
+        return azimuth == 0.0 ? 1.0 : std::exp(-azimuth * square(per_nm_[point]));
+    };
+    factor[2] = factor_at(0);
     for (std::size_t piece = 0; piece < pieces_->weights.size(); ++piece) {
+        factor = {factor[2], factor_at(2 * piece + 1), factor_at(2 * piece + 2)};
         for (std::size_t j = 0; j < 3; ++j) {
-            const double per_nm = per_nm_[2 * piece + j];
-            samples[j] = {across_nm * per_nm, pieces_->weights[piece][j], efficiencies(2 * piece + j, rows[j])};
-            factor[j] = azimuth == 0.0 ? 1.0 : std::exp(-azimuth * square(per_nm));
+            samples[j].x = across_nm * per_nm_[2 * piece + j];
+            samples[j].weight = pieces_->weights[piece][j];
+            samples[j].efficiency = efficiencies(2 * piece + j, rows[j]);
         }
         const double to_exponent = azimuth * square(per_nm_[2 * piece + 2]);
         const double change = azimuth * square(per_nm_[2 * piece]) - to_exponent;

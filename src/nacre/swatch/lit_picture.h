@@ -39,11 +39,12 @@ struct LitPicture {
     double brightest = 0.0;  ///< largest component of the material in linear Rec.709, at points that are not grazing
 };
 
-/// 2 x 2 samples per pixel, and 6 x 6 where those differ visibly: the same picture on every machine and any number of
-/// threads.
+/// 2 x 2 samples per pixel, and 6 x 6 where those differ visibly. Where the picture is smooth, the mean of 2 x 2
+/// samples follows from corners that neighbours share, to less than an 8-bit code. The same picture on every machine
+/// and any number of threads.
 LitPicture take_picture(const Camera& camera, const std::function<Seen(const Ray&)>& look, int side);
 
 /// exposure * material + rest.
-Image<Xyz> exposed(const LitPicture& picture, double exposure);
+Image<Xyz> exposed(LitPicture picture, double exposure);
 
 }  // namespace nacre

@@ -62,11 +62,11 @@ LitTable lit_table(const Job& job, double most_effort) {
 
 Xyz colour_at(const Image<Xyz>& colours, double coordinate, double along) {
     const Between x = between_texels(coordinate, colours.width());
-    const Between y = between_texels(1.0 - along, colours.height());
     const auto across = [&](int row) {
         return (1.0 - x.share) * colours.at(x.low, row) + x.share * colours.at(x.low + 1, row);
     };
     if (colours.height() == 1) return across(0);
+    const Between y = between_texels(1.0 - along, colours.height());
     return (1.0 - y.share) * across(y.low) + y.share * across(y.low + 1);
 }
 
@@ -75,6 +75,7 @@ Xyz mirrored_at(const LitTable& table, double cos_theta, double along) {
 }
 
 double blur_rad(const LitTable& table, double along) {
+    if (table.first_tilt_deg == 0.0 && table.last_tilt_deg == 0.0) return 0.0;
     return 2.0 * std::lerp(table.first_tilt_deg, table.last_tilt_deg, along) * std::numbers::pi / 180.0;
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <numbers>
 
@@ -51,15 +52,19 @@ double box(double t, double half, double width) {
 double light_of(const Softbox& light, const glm::dvec3& way, double width) {
     const double ahead = glm::dot(way, light.towards);
     if (ahead < 0.05) return 0.0;
-    const double u = glm::dot(way, light.across) / ahead / light.half_across;
-    const double w = glm::dot(way, light.along) / ahead / light.half_along;
+    const double across = glm::dot(way, light.across), along = glm::dot(way, light.along);
+    // Most ways miss most lights: box() is 0 there.
+    if (std::abs(across) > (light.half_across + width) * ahead) return 0.0;
+    if (std::abs(along) > (light.half_along + width) * ahead) return 0.0;
+    const double u = across / ahead / light.half_across;
+    const double w = along / ahead / light.half_along;
     const double falloff = 1.0 - 0.5 * edge_falloff * std::min(u * u + w * w, 2.0);
     return light.luminance * falloff * box(u, 1.0, width / light.half_across) * box(w, 1.0, width / light.half_along);
 }
 
 double wall(const glm::dvec3& way) {
     const double front = 0.5 + 0.5 * way.z;
-    return std::lerp(back_wall, front_wall, front * front);
+    return glm::mix(back_wall, front_wall, front * front);
 }
 
 // With the shade of the ball: the part of the sky above a point of the floor that the ball hides, weighted by the
@@ -72,14 +77,14 @@ double floor_at(const Ray& ray) {
     const double to_middle = std::sqrt(from_foot + 1.0);
     const double shade = 1.0 / (to_middle * to_middle * to_middle);
     const double far = 1.0 - std::exp(-from_foot / (floor_reach * floor_reach));
-    const double lit = std::lerp(floor_behind, floor_in_front, ramp(z - 3.0, 3.0));
-    return std::lerp(lit * (1.0 - shade), wall(ray.way), far);
+    const double lit = glm::mix(floor_behind, floor_in_front, ramp(z - 3.0, 3.0));
+    return glm::mix(lit * (1.0 - shade), wall(ray.way), far);
 }
 
 }  // namespace
 
 double studio_luminance(const Ray& ray, double blur_rad) {
-    const double width = std::sqrt(5.0) * std::hypot(penumbra, blur_rad);
+    const double width = std::sqrt(5.0 * (penumbra * penumbra + blur_rad * blur_rad));
     const double above = ramp(ray.way.y, width);
     double seen = 0.0;
     if (above < 1.0) seen += (1.0 - above) * floor_at(ray);

@@ -32,7 +32,7 @@ double table_seen(double radius) {
 
 Seen look_at_disc(const LitTable& table, const Ray& ray) {
     const glm::dvec3 point = ray.from - (ray.from.y / ray.way.y) * ray.way;
-    const double radius = std::hypot(point.x, point.z);
+    const double radius = std::sqrt(point.x * point.x + point.z * point.z);
     if (radius < disc_hole || radius > 1.0) return {{}, grey(table_seen(radius))};
     const double sky = studio_luminance({point, {ray.way.x, -ray.way.y, ray.way.z}}, 0.0);
     if (radius < disc_metal_from || radius > disc_grooves_to) return {{}, grey(table_luminance + plastic * sky)};

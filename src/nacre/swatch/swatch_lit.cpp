@@ -91,10 +91,10 @@ SwatchKind object_of(const Material& material) {
 LitImage lit_image(const PlannedSwatch& planned, int side, double most_effort) {
     const LitTable table = lit_table(planned.jobs.front(), most_effort);
     const Scenery scenery = scenery_of(planned.kind);
-    const LitPicture picture = take_picture(
+    LitPicture picture = take_picture(
         scenery.camera, [&](const Ray& ray) { return scenery.look(table, ray); }, side);
     const double exposure_ev = planned.exposure_ev.value_or(automatic_ev(table, picture, scenery.brightness));
-    LitImage lit{exposed(picture, std::exp2(exposure_ev)), exposure_ev, {}, {}};
+    LitImage lit{exposed(std::move(picture), std::exp2(exposure_ev)), exposure_ev, {}, {}};
     if (table.second) {
         lit.second_axis = table.second->parameter.description;
         lit.second_ends = ends_text(*table.second, scenery);

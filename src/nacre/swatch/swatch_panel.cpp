@@ -12,13 +12,19 @@
 #include "nacre/lut/sampler.h"
 #include "nacre/optics/palette.h"
 #include "nacre/shade/spectral_sampling.h"
+#include "nacre/swatch/smooth_bake.h"
 
 namespace nacre {
 namespace {
 
+// A closed form: a million colours take some tenths of a second.
+bool is_cheap(const Job& job) {
+    return std::holds_alternative<Palette>(job.material.mechanism);
+}
+
 // By how much the sides are divided: both of a job with y, else the width.
 double panel_reduction(const Job& job, double most_effort) {
-    if (std::holds_alternative<Palette>(job.material.mechanism)) return 1.0;
+    if (is_cheap(job)) return 1.0;
     Sampler sampler(job);
     sampler.at(0.5, 0.5);
     const double pixels = static_cast<double>(job.width) * job.height;
@@ -74,7 +80,7 @@ Panel bake_panel(const Job& job, const PlotArea& area, double most_effort) {
         sized.width = static_cast<int>(std::max(area.width / reduction, smallest));
         if (job.y) sized.height = static_cast<int>(std::max(area.height / reduction, smallest));
     }
-    const Enlarged baked(bake(sized), area.width, job.y ? area.height : 1);
+    const Enlarged baked(is_cheap(sized) ? bake(sized) : bake_smoothly(sized), area.width, job.y ? area.height : 1);
     Panel panel{area.left, area.top, Image<Xyz>(area.width, area.height)};
     for (int row = 0; row < area.height; ++row) {
         const int from_row = job.y ? area.height - 1 - row : 0;

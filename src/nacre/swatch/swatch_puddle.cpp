@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <glm/common.hpp>
 #include <glm/vec3.hpp>
 
 namespace nacre {
@@ -31,15 +32,19 @@ double hashed(std::int64_t i, std::int64_t j) {
     return static_cast<double>((h ^ (h >> 33U)) >> 11U) * 0x1p-53;
 }
 
+// The next whole number below; without the call of std::floor(), which takes longer than all else in noise().
+std::int64_t whole_below(double x) {
+    const auto whole = static_cast<std::int64_t>(x);
+    return static_cast<double>(whole) > x ? whole - 1 : whole;
+}
+
 // Value noise: smooth between the whole numbers. In [0, 1).
 double noise(double x, double z) {
-    const double i = std::floor(x), j = std::floor(z);
+    const std::int64_t i = whole_below(x), j = whole_below(z);
     const auto eased = [](double t) { return t * t * (3.0 - 2.0 * t); };
-    const auto at = [&](int right, int behind) {
-        return hashed(static_cast<std::int64_t>(i) + right, static_cast<std::int64_t>(j) + behind);
-    };
-    const double a = eased(x - i);
-    return std::lerp(std::lerp(at(0, 0), at(1, 0), a), std::lerp(at(0, 1), at(1, 1), a), eased(z - j));
+    const double a = eased(x - static_cast<double>(i));
+    return glm::mix(glm::mix(hashed(i, j), hashed(i + 1, j), a), glm::mix(hashed(i, j + 1), hashed(i + 1, j + 1), a),
+                    eased(z - static_cast<double>(j)));
 }
 
 double rough_noise(double x, double z) {
@@ -58,7 +63,7 @@ double inside_puddle(double x, double z) {
 double ground(double x, double z, double inside) {
     const double wet = std::clamp(1.0 + inside / wet_edge, 0.0, 1.0);
     const double grains = noise(x / grain, z / grain) + 0.6 * noise(0.31 * x / grain, 0.31 * z / grain);
-    return std::lerp(dry_asphalt, wet_asphalt, wet) * (1.0 + grain_contrast * (grains - 0.8));
+    return glm::mix(dry_asphalt, wet_asphalt, wet) * (1.0 + grain_contrast * (grains - 0.8));
 }
 
 // On the second axis, from the edge to the middle.
@@ -70,9 +75,9 @@ double along_flow(double x, double z, double inside) {
 
 // The sky, and in front of it, out of focus, a row of roofs.
 double sky_above_houses(const glm::dvec3& way) {
-    const double roof = roof_height + roof_steps * noise(16.0 * way.x / -way.z, 0.5);
+    const double roof = roof_height + roof_steps * noise(16.0 * way.x / std::max(-way.z, 1e-6), 0.5);
     const double above = std::clamp(0.5 + (way.y - roof) / roof_blur, 0.0, 1.0);
-    return std::lerp(house_luminance, overcast_sky(way), above);
+    return glm::mix(house_luminance, overcast_sky(way), above);
 }
 
 }  // namespace

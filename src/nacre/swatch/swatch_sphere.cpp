@@ -32,8 +32,9 @@ std::optional<Chord> chord_of(const Ray& ray) {
     return Chord{ray.from + (middle - half) * ray.way, ray.from + (middle + half) * ray.way};
 }
 
-// 0 at the upper pole, 1 at the lower one.
-double along_meridian(const glm::dvec3& point) {
+// On the second axis: 0 at the upper pole, 1 at the lower one.
+double along_meridian(const LitTable& table, const glm::dvec3& point) {
+    if (!table.second && table.mirrored.height() == 1) return 0.0;
     return 0.5 - std::asin(std::clamp(point.y, -1.0, 1.0)) * std::numbers::inv_pi;
 }
 
@@ -43,7 +44,7 @@ Ray mirrored_ray(const glm::dvec3& point, const glm::dvec3& normal, const glm::d
 
 Xyz glossy(const LitTable& table, const glm::dvec3& normal, const Ray& ray) {
     const double cos_theta = -glm::dot(normal, ray.way);
-    const double along = along_meridian(normal);
+    const double along = along_meridian(table, normal);
     const double light = studio_luminance(mirrored_ray(normal, normal, ray.way), blur_rad(table, along));
     const Xyz mirrored = light * mirrored_at(table, cos_theta, along);
     if (table.scattered.size() == 0) return mirrored;
@@ -60,8 +61,8 @@ Xyz grooved(const LitTable& table, const glm::dvec3& normal, const Ray& ray) {
         Lit lit = lit_at(normal, lamp);
         // Light that only grazes the ball fades, so that arcs do not end at an edge.
         lit.light *= std::clamp(glm::dot(normal, lit.towards) / 0.25, 0.0, 1.0);
-        seen =
-            seen + grooves_seen(table, lit, -ray.way, b, glm::cross(b, normal), stray_of_ball, along_meridian(normal));
+        seen = seen + grooves_seen(table, lit, -ray.way, b, glm::cross(b, normal), stray_of_ball,
+                                   along_meridian(table, normal));
     }
     return seen;
 }
@@ -80,7 +81,7 @@ Xyz scattered(const LitTable& table, const glm::dvec3& normal, const Ray& ray) {
     const double out = std::max(-glm::dot(normal, ray.way), 0.0);
     const double share = in + out > 0.0 ? 2.0 * in / (in + out) : 0.0;
     const double turned = 0.5 + 0.5 * glm::dot(lit.towards, ray.way);
-    const double along = along_meridian(normal);
+    const double along = along_meridian(table, normal);
     return (lit.light * share) * colour_at(table.mirrored, turned, along) +
            (room_light * studio_irradiance(normal)) * colour_at(table.mirrored, turned_across, along);
 }
@@ -138,11 +139,11 @@ Seen look_at_bubble(const LitTable& table, const Ray& ray) {
     if (!chord) return {{}, studio_grey(ray)};
     const double cos_theta = -glm::dot(chord->enters, ray.way);
     const auto wall_seen = [&](const glm::dvec3& point) {
-        const double along = along_meridian(point);
+        const double along = along_meridian(table, point);
         return studio_luminance(mirrored_ray(point, point, ray.way), blur_rad(table, along)) *
                mirrored_at(table, cos_theta, along);
     };
-    const Xyz front = mirrored_at(table, cos_theta, along_meridian(chord->enters));
+    const Xyz front = mirrored_at(table, cos_theta, along_meridian(table, chord->enters));
     const double passes = std::max(0.0, 1.0 - front.y);
     return {wall_seen(chord->enters) + passes * passes * wall_seen(chord->leaves),
             shining_through(studio_luminance(ray, 0.0), front), cos_theta < grazing_cos};

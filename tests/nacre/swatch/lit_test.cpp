@@ -206,6 +206,43 @@ TEST(LitPicture, TheEdgeOfTheBallLiesBetweenBallAndRoom) {
     EXPECT_EQ(picture.material.at(0, 0).y, 0.0);
 }
 
+// The mean of n x n samples in a pixel.
+Xyz sampled_mean(const Camera& camera, const LitTable& table, int side, int column, int row, int n) {
+    Xyz sum;
+    for (int i = 0; i < n * n; ++i) {
+        const double right = column + (i % n + 0.5) / n, down = row + (i / n + 0.5) / n;
+        const Seen seen = look_at_ball(table, camera.through(2.0 * right / side - 1.0, 1.0 - 2.0 * down / side));
+        sum = sum + 1.0 / (n * n) * (seen.material + seen.rest);
+    }
+    return sum;
+}
+
+// Smooth parts are interpolated between corners that pixels share; a picture of 900 pixels bends less between them.
+TEST(LitPicture, PixelsAreWithinACodeOfTheMeanOfTheirSamples) {
+    constexpr int side = 301;  // no whole number of cells
+    LitTable table = even_table(0.0);
+    for (int i = 0; i < 16; ++i) table.mirrored.at(i, 0) = {0.9, 0.5 + 0.03 * i, 0.04 * i};
+    const Camera camera = ball_camera();
+    const Image<Xyz> picture = exposed(take_picture(
+                                           camera, [&](const Ray& ray) { return look_at_ball(table, ray); }, side),
+                                       1.0);
+    const auto code = [](double linear) { return 255.0 * std::pow(std::clamp(linear, 0.0, 1.0), 1.0 / 2.4); };
+    double most = 0.0;
+    for (int row = 0; row < side; row += 3) {
+        for (int column = 0; column < side; ++column) {
+            const Xyz few = sampled_mean(camera, table, side, column, row, 2);
+            const Xyz many = sampled_mean(camera, table, side, column, row, 6);
+            const Xyz& seen = picture.at(column, row);
+            const auto off = [&](const Xyz& mean) {
+                return std::max({std::abs(code(seen.x) - code(mean.x)), std::abs(code(seen.y) - code(mean.y)),
+                                 std::abs(code(seen.z) - code(mean.z))});
+            };
+            most = std::max(most, std::min(off(few), off(many)));
+        }
+    }
+    EXPECT_LT(most, 0.5);
+}
+
 TEST(LitSwatch, AutomaticExposureBringsTheBrightestComponentToItsLevel) {
     for (const Palette& palette : {test::morpho, test::beetle}) {
         const Swatch swatch = draw_swatch(planned_lit(SwatchKind::sphere, palette));

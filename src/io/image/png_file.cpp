@@ -17,8 +17,11 @@ std::vector<Component> rounded_components(const Image<Rgb>& image) {
     std::vector<Component> components;
     components.reserve(3 * image.size());
     for (const Rgb& pixel : image) {
-        for (const double value : {pixel.r, pixel.g, pixel.b})
-            components.push_back(static_cast<Component>(most * std::clamp(value, 0.0, 1.0) + 0.5));
+        for (const double value : {pixel.r, pixel.g, pixel.b}) {
+            // Not negative, and far from what a double cannot hold: std::lround() would take longer than all else here.
+            const double above_half = most * std::clamp(value, 0.0, 1.0) + 0.5;
+            components.push_back(static_cast<Component>(above_half));
+        }
     }
     return components;
 }

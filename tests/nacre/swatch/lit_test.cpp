@@ -210,7 +210,8 @@ TEST(LitPicture, TheEdgeOfTheBallLiesBetweenBallAndRoom) {
 Xyz sampled_mean(const Camera& camera, const LitTable& table, int side, int column, int row, int n) {
     Xyz sum;
     for (int i = 0; i < n * n; ++i) {
-        const double right = column + (i % n + 0.5) / n, down = row + (i / n + 0.5) / n;
+        const int across = i % n, along = i / n;
+        const double right = column + (across + 0.5) / n, down = row + (along + 0.5) / n;
         const Seen seen = look_at_ball(table, camera.through(2.0 * right / side - 1.0, 1.0 - 2.0 * down / side));
         sum = sum + 1.0 / (n * n) * (seen.material + seen.rest);
     }

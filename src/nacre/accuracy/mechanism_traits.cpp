@@ -17,7 +17,7 @@ double layered_cost(const Job& job, const Mechanism& mechanism) {
     return job.sampling.thickness_samples * std::max(1.0, layers / 100.0) * std::max(1.0, fringes / 100.0);
 }
 
-// Mie's series has as many terms as the radius is long; a spread of radii has 96 of them (see Reference::scattered()).
+// Mie's series has as many terms as the radius is long; a spread of radii counts as 96 of them (empirical).
 // On a parameter axis every point has other spheres, whose series are not kept: 50 times as much (empirical).
 double scattered_cost(const Job& job, const Mechanism& mechanism) {
     const auto& scatter = std::get<Scatter>(mechanism);

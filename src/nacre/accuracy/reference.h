@@ -1,10 +1,13 @@
 #pragma once
 
+#include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <utility>
 #include <vector>
 
+#include "nacre/base/gauss_points.h"
 #include "nacre/colour/colour_types.h"
 #include "nacre/colour/xyz_curve.h"
 #include "nacre/lut/planned_lut.h"
@@ -13,55 +16,71 @@ namespace nacre {
 
 /// What a bake is checked against: the true colour of a job at one point, by an independent method.
 ///
-/// Reflectance at single wavelengths, integrated by Gauss-Legendre quadrature over every nanometre, against weights
-/// made anew from the CIE's tables and the illuminant; of a lamp with fine lines also from one of its nodes to the
-/// next. It shares a mechanism's formulas with the bake, but nothing of how spectra become XYZ: no closed form, no
-/// moments, no nodes, no grid, no SIMD. Every effect of the scene is there, whatever the bake leaves out. Layers of up
-/// to `most_scalar_layers` are solved by the solver's scalar reference implementation, more by the solver itself at
-/// other wavelengths; uneven ones have the bake's samples, whose number is part of the model. A grating's lines are
-/// walked through wave by wave. A base's directions and a surface's facets are summed by midpoint rules with far more
-/// points.
+/// Reflectances at even steps of wavelength, twice as many until the colour of every second one agrees, straight into
+/// the integral of light and colour matching functions as their tables have them (of a lamp with fine lines between its
+/// own nodes). It shares a mechanism's formulas with the bake, but nothing of how spectra become XYZ: no closed form,
+/// no moments, no nodes, no grid. Every effect of the scene is there, whatever the bake leaves out. Layers are solved
+/// by the bake's fast solver at these other wavelengths, which the scalar one has to confirm (ConfirmedLayers); uneven
+/// ones have the bake's samples, whose number is part of the model. Where a grating's lines are many, they are walked
+/// through wave by wave. A base's directions and a surface's facets are summed in other variables.
 class Reference {
 public:
     /// @param job  has to outlive the reference
-    explicit Reference(const Job& job);
+    /// @param tolerance_de00  CIEDE2000 by which each sum of a colour may err, shown as bright as white: half as many
+    /// points may change it by twice as much
+    explicit Reference(const Job& job, double tolerance_de00 = 1e-3);
 
     /// XYZ relative to D65, Y = 1 for the perfect reflector. `wavelengths` of the scene do not count: the truth has no
     /// nodes. Not to be asked by two threads at once: what the last material took is kept.
-    /// Accuracy: 1e-9 for bands of 4 nm and more, 1e-7 for narrower ones; 1e-6 for layers, 1e-5 for the rest.
+    /// Accuracy: 1e-9 for bands of 4 nm and more, 1e-7 for narrower ones; of measurements 1e-12; of the rest CIEDE2000
+    /// 2 * tolerance_de00, shown as bright as white.
     Xyz at(double x, double y = 0.0) const;
 
-    static constexpr double most_scalar_layers = 40.0;
-
 private:
-    /// A wavelength and the length that it stands for.
-    struct Wave {
-        double nm;
-        double length_nm;
+    /// Wavelengths at even steps, and what turns the values of a spectrum there into XYZ.
+    struct Samples {
+        std::vector<double> nm;
+        std::vector<Xyz> weights;
     };
+    using Spectrum = std::function<std::vector<double>(const std::vector<double>& nm)>;
+    struct Layers;
+    struct Lines;
+    struct Scattering;
 
     Xyz flat(const Mechanism& mechanism, const Geometry& geometry) const;
     Xyz tilted(const Mechanism& mechanism, const Incidence& incidence) const;
+    Xyz band(const Lobe& lobe) const;
     Xyz layered(const Mechanism& mechanism, const Incidence& incidence) const;
+    std::vector<double> base_factors(const Base& base, const LayerEnsemble& layers) const;
     Xyz lines(const Grating& grating, double u) const;
+    Xyz wave_by_wave(const Grating& grating, const std::vector<int>& orders, double u) const;
     Xyz scattered(const Mechanism& mechanism, double cos_scatter) const;
     Xyz measured(const MeasuredSpectra& spectra, const Incidence& incidence) const;
-    Xyz integral(const Lobe& lobe) const;
+
+    /// At twice as many wavelengths until the colour of half of them agrees.
+    /// @param begin  with so many cells, if steps are to be shorter; receives where to begin the next time
+    /// @param most_cells  eight per fringe of the thickest layers that a scene may have
+    Xyz integral(double longest_step_nm, int& begin, const Spectrum& spectrum, int most_cells = 1 << 18) const;
+    const Samples& samples(int cells) const;
+    /// What half as many points change, over what they may.
+    double doubt(const Xyz& of_all, const Xyz& of_half) const;
     Xyz weight_at(double nm) const;
     double next_kink(double nm) const;
-    const std::vector<double>& base_table(const Mechanism& mechanism, const LayerEnsemble& ensemble) const;
 
     const Job& job_;
+    double tolerance_de00_;
+    std::vector<GaussPoint> rule_;  // exact up to the fifth degree
     std::vector<Xyz> weights_;      // per whole nanometre; of a lamp with fine lines without its power
     std::vector<double> kinks_nm_;  // ascending: between them the weights are smooth
     bool has_fine_lines_;
     glm::dmat3 adaptation_;
+    mutable std::map<int, Samples> samples_;  // by the number of cells
 
     // Of the last material, kept for the next angle.
     mutable std::optional<std::pair<Mechanism, XyzCurve>> facets_;
-    mutable std::optional<std::pair<Mechanism, std::vector<double>>> base_;
-    struct Scattering;
-    mutable std::shared_ptr<const Scattering> scattering_;
+    mutable std::shared_ptr<Layers> layers_;
+    mutable std::shared_ptr<Lines> lines_;
+    mutable std::shared_ptr<Scattering> scattering_;
 };
 
 }  // namespace nacre

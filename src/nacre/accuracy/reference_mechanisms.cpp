@@ -1,38 +1,20 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <numbers>
 
 #include "nacre/accuracy/reference.h"
+#include "nacre/colour/xyz_sums.h"
 #include "nacre/lut/sampler.h"
 #include "nacre/shade/kinks.h"
 
 namespace nacre {
 namespace {
 
-constexpr double pi = std::numbers::pi;
-
-// Gauss-Legendre with two nodes on [0, 1].
-constexpr double gauss_nodes[2] = {0.5 - 0.288675134594812882, 0.5 + 0.288675134594812882};
-
-Xyz plus_term(const Xyz& sum, double factor, const Xyz& term) {
-    return {sum.x + factor * term.x, sum.y + factor * term.y, sum.z + factor * term.z};
-}
-
-double sinc_squared(double t) {
-    if (std::abs(t) < 1e-4) return 1.0 - pi * pi * t * t / 3.0;
-    const double s = std::sin(pi * t) / (pi * t);
-    return s * s;
-}
+using std::numbers::pi;
 
 }  // namespace
-
-// A scattering layer at the wavelengths of the integral.
-struct Reference::Scattering {
-    Scatter scatter;
-    std::vector<Wave> waves;
-    std::unique_ptr<ScatterSolver> solver;
-};
 
 // One row per mechanism: its colour as a plane surface, or as one facet has it.
 Xyz Reference::flat(const Mechanism& mechanism, const Geometry& geometry) const {
@@ -41,7 +23,7 @@ Xyz Reference::flat(const Mechanism& mechanism, const Geometry& geometry) const 
         const Mechanism& mechanism;
         const Geometry& geometry;
         Xyz operator()(const Palette& palette) const {
-            return reference.integral(palette_lobe(palette, geometry.incidence));
+            return reference.band(palette_lobe(palette, geometry.incidence));
         }
         Xyz operator()(const Film&) const { return reference.layered(mechanism, geometry.incidence); }
         Xyz operator()(const Stack&) const { return reference.layered(mechanism, geometry.incidence); }
@@ -53,7 +35,30 @@ Xyz Reference::flat(const Mechanism& mechanism, const Geometry& geometry) const 
     return std::visit(Flat{*this, mechanism, geometry}, static_cast<const MechanismModel&>(mechanism));
 }
 
-// Rings and spokes by the midpoint rule, those that are turned away not counted.
+namespace {
+
+// How much of the facets that are `gamma` off the line of sight there is around it, that line being `theta` off the
+// surface's normal: the integral of exp(-tau^2 / (2 tilt^2)), tau being what a facet is off that normal, by
+// sin^2(tau / 2) = sin^2((theta - gamma) / 2) + sin(theta) sin(gamma) sin^2(phi / 2). All in radians.
+double facets_around(double theta, double gamma, double tilt, double steepest) {
+    constexpr int spokes = 16;  // of half a turn, or of 6.5 standard deviations
+    const double off = theta - gamma;
+    const double across = std::sin(theta) * std::sin(gamma);
+    const double reach = std::sin(0.5 * (steepest + off)) * std::sin(0.5 * (steepest - off)) / across;
+    const double arc = reach < 1.0 ? 2.0 * std::asin(std::sqrt(std::max(reach, 0.0))) : pi;
+    double sum = 0.0;
+    for (int spoke = 0; spoke < spokes; ++spoke) {
+        const double near = std::sin(0.5 * off);
+        const double aside = std::sin(0.5 * arc * (spoke + 0.5) / spokes);
+        const double tau = 2.0 * std::asin(std::min(std::sqrt(near * near + across * aside * aside), 1.0));
+        sum += std::exp(-0.5 * (tau / tilt) * (tau / tilt));
+    }
+    return arc / spokes * sum;
+}
+
+}  // namespace
+
+// Around the line of sight rather than the surface's normal, by Simpson's rule: then none is turned away.
 Xyz Reference::tilted(const Mechanism& mechanism, const Incidence& incidence) const {
     Mechanism plain = mechanism;
     plain.effects.tilt_deg = 0.0;
@@ -61,101 +66,59 @@ Xyz Reference::tilted(const Mechanism& mechanism, const Incidence& incidence) co
         facets_.emplace(plain,
                         facet_curve([&](const Incidence& facet) { return flat(plain, facet); }, kinks_deg(plain)));
     }
-    constexpr int rings = 240;
-    constexpr int spokes = 180;
+    constexpr int most_rings = 4096;
+    const double theta = incidence.theta_deg * pi / 180.0;
     const double tilt = mechanism.effects.tilt_deg * pi / 180.0;
-    const double steepest = std::min(7.0 * tilt, 0.5 * pi);
-    const double sin_theta = std::sin(incidence.theta_deg * pi / 180.0);
-    Xyz sum;
-    double visible = 0.0;
-    for (int i = 0; i < rings; ++i) {
-        const double tau = steepest * (i + 0.5) / rings;
-        const double density = std::exp(-0.5 * (tau / tilt) * (tau / tilt)) * std::sin(tau);
-        for (int j = 0; j < spokes; ++j) {
-            const double around = pi * (j + 0.5) / spokes;
-            const double cos_facet = incidence.cos_theta * std::cos(tau) + sin_theta * std::sin(tau) * std::cos(around);
-            if (cos_facet <= 0.0) continue;
-            sum = plus_term(sum, density * cos_facet, facets_->second.at(std::sqrt(std::min(cos_facet, 1.0))));
-            visible += density * cos_facet;
-        }
-    }
-    return visible > 0.0 ? plus_term({}, 1.0 / visible, sum) : flat(plain, incidence);
-}
-
-// Every order's line, wave by wave where it is bright; far away by its mean, 1 / (2 pi^2 t^2).
-Xyz Reference::lines(const Grating& grating, double u) const {
-    constexpr double far = 200.0;  // in widths of a line: what its waves sum to beyond is 2e-7 of it
-    constexpr double waves_per_step = 0.2;
-    const LightSettings& light = job_.light->settings;
-    const double across = grating.azimuth_deg * pi / 180.0;
-    const double path_nm = u * share_across(grating) * grating.period_nm;
-    const double along_nm = 1e3 * grating.groove_length_um * u * std::sin(across);
-    Xyz sum;
-    const auto add = [&](int order, double nm, double length_nm, bool is_mean) {
-        const double t = grating.grooves * (path_nm / nm - order);
-        const double line = is_mean ? 1.0 / (2.0 * pi * pi * t * t) : sinc_squared(t);
-        const double density = grating_efficiency(grating, order, nm) * grating.grooves * grating.period_nm / nm *
-                               line * std::exp(-pi * (along_nm / nm) * (along_nm / nm));
-        sum = plus_term(sum, length_nm * density, weight_at(nm));
-    };
-    for (const int magnitude : counted_orders(grating, light.first_nm)) {
-        for (const int order : {magnitude, -magnitude}) {
-            for (double left = light.first_nm; left < light.last_nm;) {
-                const double t = grating.grooves * (path_nm / left - order);
-                const double per_nm = grating.grooves * path_nm / (left * left);
-                // Where ripples are broad it takes them all: nothing averages them, and there may be no other light.
-                constexpr double least_ripples_per_nm = 0.05;
-                const bool is_far = per_nm > least_ripples_per_nm && (t > far + per_nm || t < -far);
-                const double whole = std::min(next_kink(left), static_cast<double>(light.last_nm));
-                double right = whole;
-                if (!is_far) right = std::min(whole, left + waves_per_step / std::max(per_nm, 1e-9));
-                if (!is_far && t > far) right = std::min(whole, left + 1.0 / std::max(per_nm, 1e-9));
-                for (const double at : gauss_nodes)
-                    add(order, std::lerp(left, right, at), 0.5 * (right - left), is_far);
-                left = right;
+    const double steepest = std::min(6.5 * tilt, 0.5 * pi);
+    const double from = std::max(theta - steepest, 0.0);
+    const double to = std::min(theta + steepest, 0.5 * pi);
+    for (int rings = 32;; rings *= 2) {
+        std::array<Xyz, 2> sums;  // of all rings, and of every second one
+        std::array<double, 2> visible{};
+        for (int ring = 1; ring < rings; ++ring) {  // at either end there is nothing
+            const double gamma = std::lerp(from, to, static_cast<double>(ring) / rings);
+            const double there = facets_around(theta, gamma, tilt, steepest) * std::sin(gamma) * std::cos(gamma);
+            const Xyz seen = facets_->second.at(std::sqrt(std::cos(gamma)));
+            const double share = ring % 2 == 1 ? 4.0 : 2.0;
+            const double share_of_seconds = ring % 2 == 1 ? 0.0 : ring % 4 == 2 ? 8.0 : 4.0;
+            for (const auto& [i, weight] : {std::pair{0, share * there}, {1, share_of_seconds * there}}) {
+                add(sums[i], weight, seen);
+                visible[i] += weight;
             }
-            if (magnitude == 0) break;
         }
+        if (!(visible[1] > 0.0)) return flat(plain, incidence);
+        const Xyz mean = scaled(sums[0], 1.0 / visible[0]);
+        if (rings >= most_rings || !(doubt(mean, scaled(sums[1], 1.0 / visible[1])) > 1.0)) return mean;
     }
-    if (grating.azimuth_deg > 0.0 && grating.groove_length_um == 0.0 && u > 0.0) return {};
-    return sum;
 }
 
+struct Reference::Scattering {
+    Scatter scatter;
+    std::map<std::size_t, ScatterSolver> solvers{};  // by the number of wavelengths
+    int cells = 0;                                   // to begin with
+};
+
+// Of a single sphere some resonances are narrower than any step; the sum of their light is small.
 Xyz Reference::scattered(const Mechanism& mechanism, double cos_scatter) const {
+    constexpr int enough_sizes = 12;
     const auto& scatter = std::get<Scatter>(mechanism);
-    if (!scattering_ || !(scattering_->scatter == scatter)) {
-        auto made = std::make_shared<Scattering>();
-        made->scatter = scatter;
-        const LightSettings& light = job_.light->settings;
-        // Ripples of a single sphere are as fine as its size parameter is large.
-        const double size = 2.0 * pi * scatter.radius_nm * scatter.medium.at(550.0).real() / 550.0;
-        const int parts = scatter.radius_spread > 0.0 ? 1 : std::clamp(static_cast<int>(size / 100.0), 1, 64);
-        std::vector<double> wavelengths_nm;
-        for (double nm = light.first_nm, next_nm = 0.0; nm < light.last_nm; nm = next_nm) {
-            next_nm = next_kink(nm);
-            const double length_nm = next_nm - nm;
-            for (int part = 0; part < parts; ++part) {
-                for (const double at : gauss_nodes)
-                    made->waves.push_back({nm + length_nm * (part + at) / parts, 0.5 * length_nm / parts});
-            }
-        }
-        for (const Wave& wave : made->waves) wavelengths_nm.push_back(wave.nm);
-        constexpr int enough_sizes = 96;
-        const int sizes = scatter.radius_spread > 0.0 ? std::max(enough_sizes, 2 * job_.sampling.radii) : 1;
-        made->solver = std::make_unique<ScatterSolver>(scatter, wavelengths_nm, sizes);
-        scattering_ = std::move(made);
-    }
-    std::vector<double> seen(scattering_->waves.size());
-    scattering_->solver->seen(cos_scatter, mechanism.effects.polarisation, seen);
-    Xyz sum;
-    for (std::size_t i = 0; i < seen.size(); ++i) {
-        const Wave& wave = scattering_->waves[i];
-        sum = plus_term(sum, seen[i] * wave.length_nm, weight_at(wave.nm));
-    }
-    return sum;
+    if (!scattering_ || !(scattering_->scatter == scatter))
+        scattering_ = std::make_shared<Scattering>(Scattering{scatter});
+    const bool has_sizes = scatter.radius_spread > 0.0;
+    const int sizes = has_sizes ? std::max(enough_sizes, 2 * job_.sampling.radii) : 1;
+    // What is kept of every wavelength is as long as its spheres are large.
+    const double length = sizes * largest_size_parameter(scatter, job_.light->settings.first_nm, sizes);
+    const int most_cells = static_cast<int>(std::clamp(4e6 / length, 1024.0, 16384.0));
+    const auto spectrum = [&](const std::vector<double>& nm) {
+        const auto& solver = scattering_->solvers.try_emplace(nm.size(), scatter, nm, sizes).first->second;
+        std::vector<double> seen(nm.size());
+        solver.seen(cos_scatter, mechanism.effects.polarisation, seen);
+        return seen;
+    };
+    return integral(has_sizes ? 8.0 : 1.0, scattering_->cells, spectrum, most_cells);
 }
 
-// Spectra, lamp and colour matching functions are straight between these: two nodes are exact.
+// Spectra, lamp and colour matching functions are straight between these: the rule is exact.
 Xyz Reference::measured(const MeasuredSpectra& spectra, const Incidence& incidence) const {
     const LightSettings& light = job_.light->settings;
     std::vector<double> borders(spectra.wavelength_nm);
@@ -164,10 +127,10 @@ Xyz Reference::measured(const MeasuredSpectra& spectra, const Incidence& inciden
     Xyz sum;
     for (std::size_t i = 1; i < borders.size(); ++i) {
         if (borders[i - 1] < light.first_nm || borders[i] > light.last_nm) continue;
-        for (const double at : gauss_nodes) {
-            const double nm = std::lerp(borders[i - 1], borders[i], at);
+        for (const GaussPoint& point : rule_) {
+            const double nm = std::lerp(borders[i - 1], borders[i], point.at);
             const double reflectance = measured_reflectance(spectra, incidence.theta_deg, nm);
-            sum = plus_term(sum, 0.5 * (borders[i] - borders[i - 1]) * reflectance, weight_at(nm));
+            add(sum, point.weight * (borders[i] - borders[i - 1]) * reflectance, weight_at(nm));
         }
     }
     return sum;

@@ -187,7 +187,7 @@ TEST(FineLamp, TheReferenceSeesWhatAFineQuadratureSees) {
         model.thickness_nm = thickness_nm;
         Job layer = palette;
         layer.material = {"film", {model}, {}};
-        expect_near(Reference(layer).at(1.0), fine_sum(settings.power, film(thickness_nm)), 1e-6);
+        expect_near(Reference(layer, 1e-6).at(1.0), fine_sum(settings.power, film(thickness_nm)), 1e-6);
     }
     const MeasuredSpectra measured{"", {360, 440, 546, 600, 830}, {0.0}, {0.1, 0.9, 0.2, 0.7, 0.3}};
     Job spectra = palette;

@@ -55,6 +55,7 @@ private:
     Xyz lines(const Grating& grating, double u) const;
     Xyz wave_by_wave(const Grating& grating, const std::vector<int>& orders, double u) const;
     Xyz scattered(const Mechanism& mechanism, double cos_scatter) const;
+    void weigh(const std::vector<double>& measured_nm) const;
     Xyz measured(const MeasuredSpectra& spectra, const Incidence& incidence) const;
 
     /// At twice as many wavelengths until the colour of half of them agrees.
@@ -75,6 +76,7 @@ private:
     bool has_fine_lines_;
     glm::dmat3 adaptation_;
     mutable std::map<int, Samples> samples_;  // by the number of cells
+    mutable Samples measured_;                // of the last spectra's wavelengths
 
     // Of the last material, kept for the next angle.
     mutable std::optional<std::pair<Mechanism, XyzCurve>> facets_;

@@ -119,20 +119,32 @@ Xyz Reference::scattered(const Mechanism& mechanism, double cos_scatter) const {
 }
 
 // Spectra, lamp and colour matching functions are straight between these: the rule is exact.
-Xyz Reference::measured(const MeasuredSpectra& spectra, const Incidence& incidence) const {
+void Reference::weigh(const std::vector<double>& measured_nm) const {
     const LightSettings& light = job_.light->settings;
-    std::vector<double> borders(spectra.wavelength_nm);
+    std::vector<double> borders(measured_nm);
     borders.insert(borders.end(), kinks_nm_.begin(), kinks_nm_.end());
     std::sort(borders.begin(), borders.end());
-    Xyz sum;
+    measured_ = {measured_nm, std::vector<Xyz>(measured_nm.size())};
     for (std::size_t i = 1; i < borders.size(); ++i) {
         if (borders[i - 1] < light.first_nm || borders[i] > light.last_nm) continue;
+        const auto above = std::upper_bound(measured_nm.begin() + 1, measured_nm.end() - 1, borders[i - 1]);
+        const auto right = static_cast<std::size_t>(above - measured_nm.begin());
         for (const GaussPoint& point : rule_) {
             const double nm = std::lerp(borders[i - 1], borders[i], point.at);
-            const double reflectance = measured_reflectance(spectra, incidence.theta_deg, nm);
-            add(sum, point.weight * (borders[i] - borders[i - 1]) * reflectance, weight_at(nm));
+            const Xyz weight = scaled(weight_at(nm), point.weight * (borders[i] - borders[i - 1]));
+            const double along = (nm - measured_nm[right - 1]) / (measured_nm[right] - measured_nm[right - 1]);
+            const double share = std::clamp(along, 0.0, 1.0);  // what was measured last is held
+            add(measured_.weights[right - 1], 1.0 - share, weight);
+            add(measured_.weights[right], share, weight);
         }
     }
+}
+
+Xyz Reference::measured(const MeasuredSpectra& spectra, const Incidence& incidence) const {
+    if (measured_.nm != spectra.wavelength_nm) weigh(spectra.wavelength_nm);
+    Xyz sum;
+    for (std::size_t i = 0; i < measured_.nm.size(); ++i)
+        add(sum, measured_reflectance(spectra, incidence.theta_deg, measured_.nm[i]), measured_.weights[i]);
     return sum;
 }
 

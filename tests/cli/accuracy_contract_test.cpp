@@ -1,7 +1,6 @@
 // The accuracy contract, judged by a second road: what `nacre bake --accuracy DE` writes is fetched as a shader would,
 // between texels too, and compared with tests/reference/model.h, which shares no line with src/.
 // NACRE_ACCURACY_SWEEP=0 takes the first of the random scenes only, so that it ends in seconds under sanitizers too.
-#include <OpenImageIO/imageio.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -24,6 +23,7 @@
 #include "reference/paper_scenes.h"
 #include "reference/random_scenes.h"
 #include "support/program.h"
+#include "support/written_lut.h"
 
 namespace nacre::test {
 namespace {
@@ -87,24 +87,6 @@ std::string shipped_text(const std::string& name) {
 }
 
 // ---- What the program wrote ----
-
-struct WrittenLut {
-    Pixels pixels;
-    StoredAs format = StoredAs::half_float;
-};
-
-std::optional<WrittenLut> read_exr(const std::filesystem::path& path) {
-    const auto input = OIIO::ImageInput::open(path.string());
-    if (!input || input->spec().nchannels != 3) return std::nullopt;
-    const OIIO::ImageSpec& spec = input->spec();
-    std::vector<float> values(static_cast<std::size_t>(spec.width) * static_cast<std::size_t>(spec.height) * 3);
-    if (!input->read_image(0, 0, 0, 3, OIIO::TypeDesc::FLOAT, values.data())) return std::nullopt;
-    WrittenLut lut{{spec.width, spec.height, {}},
-                   spec.format == OIIO::TypeDesc::HALF ? StoredAs::half_float : StoredAs::single_float};
-    for (std::size_t i = 0; i < values.size(); i += 3)
-        lut.pixels.rgb.push_back({values[i], values[i + 1], values[i + 2]});
-    return lut;
-}
 
 struct Verdict {
     std::string name;
@@ -174,7 +156,7 @@ void read_accuracy(const nlohmann::json& manifest, double budget, Verdict& verdi
 void expect_manifest_describes(const nlohmann::json& manifest, const WrittenLut& lut) {
     EXPECT_EQ(manifest.value("width", 0), lut.pixels.width);
     EXPECT_EQ(manifest.value("height", 0), lut.pixels.height);
-    EXPECT_EQ(manifest.value("format", ""), lut.format == StoredAs::half_float ? "half" : "float");
+    EXPECT_EQ(manifest.value("format", ""), lut.format_name());
     for (const int side : {lut.pixels.width, lut.pixels.height}) {
         EXPECT_LE(side, largest_size);
         EXPECT_EQ(side & (side - 1), 0) << side << " is no power of two";
@@ -186,7 +168,7 @@ Verdict judge(const std::filesystem::path& folder, const ModelScene& scene, doub
     SCOPED_TRACE("budget " + std::to_string(budget) + "\n" + reference::scene_text(scene));
     Verdict verdict;
     verdict.name = scene.name;
-    const auto lut = read_exr(folder / (scene.name + ".exr"));
+    const auto lut = read_written_lut(folder / (scene.name + ".exr"));
     const std::string text = file_bytes(folder / (scene.name + ".json"));
     if (!lut || text.empty()) {
         EXPECT_EQ(lut.has_value(), !text.empty()) << "one file without the other";
@@ -297,7 +279,7 @@ TEST(ReferencePaletteInFiles, TexelsOfAFixedSizeAreWhatItSays) {
     const ProgramResult result = run_nacre(arguments, {folder.path(), {}, {}, {}});
     ASSERT_EQ(result.exit_code, 0) << result.err;
     for (const ModelScene& scene : scenes) {
-        const auto written = read_exr(folder.path() / "out" / (scene.name + ".exr"));
+        const auto written = read_written_lut(folder.path() / "out" / (scene.name + ".exr"));
         ASSERT_TRUE(written) << scene.name;
         const Model model(scene);
         const Pixels own = reference::make_lut(colours_of(model), 32, scene.y ? 8 : 1, StoredAs::single_float);
@@ -318,7 +300,7 @@ TEST(ReferencePaletteInFiles, LinearFilterErrsWithTheSquareOfTheStep) {
         folder.file("s.toml",
                     reference::scene_text(reference::paper_morpho(), FixedLut{width, 1, StoredAs::single_float}));
         ASSERT_EQ(run_nacre({"bake", "s.toml", "-o", "out", "--no-preview"}, {folder.path(), {}, {}, {}}).exit_code, 0);
-        const auto lut = read_exr(folder.path() / "out/morpho.exr");
+        const auto lut = read_written_lut(folder.path() / "out/morpho.exr");
         ASSERT_TRUE(lut);
         errors.push_back(reference::dense_error(lut->pixels, colours_of(model), {}));
     }

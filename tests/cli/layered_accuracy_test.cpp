@@ -2,7 +2,6 @@
 // as a shader would, between texels too, and compared with tests/reference/model.h, which shares no line with
 // src/. NACRE_LAYERED_SWEEP=1 takes all 200 random scenes, NACRE_LAYERED_SWEEP=0 a few, so that sanitizers end in
 // seconds.
-#include <OpenImageIO/imageio.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -15,7 +14,6 @@
 #include <iostream>
 #include <map>
 #include <numbers>
-#include <optional>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -24,6 +22,7 @@
 #include "reference/model.h"
 #include "reference/random_scenes.h"
 #include "support/program.h"
+#include "support/written_lut.h"
 
 namespace nacre::test {
 namespace {
@@ -52,28 +51,6 @@ std::vector<ModelScene> scenes_of_this_run() {
     all.erase(std::remove_if(all.begin(), all.end(), is_too_thick), all.end());
     all.resize(sweep != nullptr && std::string(sweep) == "0" ? 6 : 24);
     return all;
-}
-
-// ---- What the program wrote ----
-
-struct WrittenLut {
-    Pixels pixels;
-    double reached = 0.0;
-    bool is_half = true;
-};
-
-std::optional<WrittenLut> read_exr(const std::filesystem::path& path) {
-    const auto input = OIIO::ImageInput::open(path.string());
-    if (!input || input->spec().nchannels != 3) return std::nullopt;
-    const OIIO::ImageSpec& spec = input->spec();
-    std::vector<float> values(static_cast<std::size_t>(spec.width) * static_cast<std::size_t>(spec.height) * 3);
-    if (!input->read_image(0, 0, 0, 3, OIIO::TypeDesc::FLOAT, values.data())) return std::nullopt;
-    WrittenLut lut{{spec.width, spec.height, {}}, -1.0, spec.format == OIIO::TypeDesc::HALF};
-    for (std::size_t i = 0; i < values.size(); i += 3)
-        lut.pixels.rgb.push_back({values[i], values[i + 1], values[i + 2]});
-    const std::string reached(spec.get_string_attribute("nacre:accuracyReached"));
-    if (!reached.empty()) lut.reached = std::strtod(reached.c_str(), nullptr);
-    return lut;
 }
 
 // ---- The judge ----
@@ -149,7 +126,7 @@ struct Tally {
 void judge(const std::filesystem::path& folder, const ModelScene& scene, Tally& tally) {
     const std::string& name = scene.name;
     SCOPED_TRACE("max_de00 " + std::to_string(scene.max_de00) + "\n" + reference::scene_text(scene));
-    const auto lut = read_exr(folder / (name + ".exr"));
+    const auto lut = read_written_lut(folder / (name + ".exr"));
     ASSERT_TRUE(lut) << name << " was not written";
     ASSERT_GE(lut->reached, 0.0) << "the header has no nacre:accuracyReached";
     ++tally.luts;
@@ -162,8 +139,8 @@ void judge(const std::filesystem::path& folder, const ModelScene& scene, Tally& 
     const double slack = judges_share * scene.max_de00;
     std::ostringstream what;
     what << name << ": " << worst.error << " of " << scene.max_de00 << ", reached " << lut->reached << " at ("
-         << worst.x << ", " << worst.y << "), " << lut->pixels.width << " x " << lut->pixels.height
-         << (lut->is_half ? " half" : " float") << ", " << judge.unconverged() << " points unconverged";
+         << worst.x << ", " << worst.y << "), " << lut->pixels.width << " x " << lut->pixels.height << " "
+         << lut->format_name() << ", " << judge.unconverged() << " points unconverged";
     if (!is_refused) {
         EXPECT_LE(worst.error, scene.max_de00 + slack) << what.str();
     }

@@ -9,6 +9,7 @@ namespace nacre::reference {
 struct ModelFacet {
     double cos_beta = 1.0, share = 0.0;  ///< the shares' sum is 1
 };
-std::vector<ModelFacet> facets_seen(double tilt_deg, double theta_deg);
+/// @param bends_deg  rising angles at which what they show may have the kink of a root
+std::vector<ModelFacet> facets_seen(double tilt_deg, double theta_deg, const std::vector<double>& bends_deg = {});
 
 }  // namespace nacre::reference

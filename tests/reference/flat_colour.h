@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <stdexcept>
 #include <vector>
 
 #include "nacre/material/mechanism.h"
@@ -18,6 +19,11 @@ public:
     /// @param x  on the mechanism's own axis: sqrt(cos(theta)), u / 2, (1 + cos_scatter) / 2
     /// @param y  coordinate of the second axis
     virtual Triple at(double x, double y, double step_nm) const = 0;
+    /// The same of layers with wavelengths as close as their resonances need: nanometres are halved until what a
+    /// parabola misses in a part, times its width, is at most `tolerance`, a reflectance times nanometres.
+    virtual Triple resolved(double /*x*/, double /*y*/, double /*tolerance*/) const {
+        throw std::runtime_error("only layers have resonances");
+    }
     /// Nanometres per wavelength that it takes at least to see all there is.
     virtual double longest_step_nm(double /*x*/, double /*y*/) const { return 2.0; }
     /// Of layers: faces times wavelengths that a colour takes at least.

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <numbers>
@@ -59,19 +60,73 @@ public:
         std::vector<double> spectrum(grid.nm.size(), 0.0);
         for (const PlainLayers& even : samples_) {
             const PlainLayers& sample = y_ ? at_y(even, y) : even;
-            for (std::size_t i = 0; i < spectrum.size(); ++i) {
-                for (const bool is_p : {false, true}) {
-                    if (polarisation_ != Polarisation::mean && (polarisation_ == Polarisation::p) != is_p) continue;
-                    const double share = sample.share * (polarisation_ == Polarisation::mean ? 0.5 : 1.0);
-                    const Wave wave{media[i].index[0].real(), cos_theta, is_p};
-                    spectrum[i] += share * seen(sample, media[i], wave);
-                }
-            }
+            for (std::size_t i = 0; i < spectrum.size(); ++i) spectrum[i] += share_seen(sample, media[i], cos_theta);
         }
         return grid.sum(spectrum);
     }
 
+    Triple resolved(double x, double y, double tolerance) const override {
+        std::vector<PlainLayers> samples;
+        for (const PlainLayers& even : samples_) samples.push_back(at_y(even, y));
+        const double cos_theta = std::max(x * x, 1e-9);
+        const auto seen_at = [&](double nm) {
+            double sum = 0.0;
+            for (const PlainLayers& sample : samples) sum += share_seen(sample, media_at_nm(nm), cos_theta);
+            return sum;
+        };
+        Triple sum{};
+        double low = seen_at(light_begins_nm);
+        for (int nm = light_begins_nm; nm < light_ends_nm; ++nm) {
+            const double high = seen_at(nm + 1);
+            add_cell({1.0 * nm, nm + 1.0, low, seen_at(nm + 0.5), high}, tolerance, seen_at, sum);
+            low = high;
+        }
+        return sum;
+    }
+
 private:
+    struct Cell {
+        double from_nm, to_nm;
+        double low, middle, high;
+    };
+    // What two points more say of the parabola through three decides; what all five weigh is Boole's rule.
+    template <class SeenAt>
+    void add_cell(const Cell& cell, double tolerance, const SeenAt& seen_at, Triple& sum) const {
+        constexpr double narrowest_nm = 1.0 / 16384.0;
+        const double width = cell.to_nm - cell.from_nm, middle_nm = 0.5 * (cell.from_nm + cell.to_nm);
+        const double second = seen_at(cell.from_nm + 0.25 * width), fourth = seen_at(cell.from_nm + 0.75 * width);
+        const double off = std::max(std::abs(second - (3.0 * cell.low + 6.0 * cell.middle - cell.high) / 8.0),
+                                    std::abs(fourth - (3.0 * cell.high + 6.0 * cell.middle - cell.low) / 8.0));
+        if (off * width > tolerance && width > narrowest_nm) {
+            add_cell({cell.from_nm, middle_nm, cell.low, second, cell.middle}, tolerance, seen_at, sum);
+            add_cell({middle_nm, cell.to_nm, cell.middle, fourth, cell.high}, tolerance, seen_at, sum);
+            return;
+        }
+        const std::array<double, 5> seen{7.0 * cell.low, 32.0 * second, 12.0 * cell.middle, 32.0 * fourth,
+                                         7.0 * cell.high};
+        for (std::size_t i = 0; i < seen.size(); ++i) {
+            const Triple weight = light_.weight_at(cell.from_nm + 0.25 * width * static_cast<double>(i));
+            for (std::size_t c = 0; c < 3; ++c) sum[c] += width / 90.0 * seen[i] * weight[c];
+        }
+    }
+    double share_seen(const PlainLayers& sample, const MediaAt& media, double cos_theta) const {
+        double sum = 0.0;
+        for (const bool is_p : {false, true}) {
+            if (polarisation_ != Polarisation::mean && (polarisation_ == Polarisation::p) != is_p) continue;
+            const double share = sample.share * (polarisation_ == Polarisation::mean ? 0.5 : 1.0);
+            sum += share * seen(sample, media, {media.index[0].real(), cos_theta, is_p});
+        }
+        return sum;
+    }
+    // Kept at multiples of 1/64 nm.
+    const MediaAt& media_at_nm(double nm) const {
+        const double place = 64.0 * (nm - light_begins_nm);
+        if (place != std::floor(place)) return other_media_ = media_at(samples_.front(), nm);
+        if (media_by_place_.empty()) media_by_place_.resize(64 * (light_ends_nm - light_begins_nm) + 1);
+        MediaAt& media = media_by_place_[static_cast<std::size_t>(place)];
+        if (media.index.empty()) media = media_at(samples_.front(), nm);
+        return media;
+    }
     double seen(const PlainLayers& layers, const MediaAt& media, const Wave& wave) const {
         if (base_factor_.empty() && layers.is_coherent()) return coherent_reflectance(layers, media, wave);
         const ModelPowers powers = powers_at(layers, media, wave);
@@ -98,6 +153,8 @@ private:
     std::vector<PlainLayers> samples_;
     std::vector<double> base_factor_;
     mutable std::map<double, std::vector<MediaAt>> media_;
+    mutable std::vector<MediaAt> media_by_place_;
+    mutable MediaAt other_media_;
 };
 
 }  // namespace

@@ -2,8 +2,10 @@
 
 #include <array>
 #include <cmath>
+#include <fstream>
 #include <map>
 #include <memory>
+#include <sstream>
 #include <stdexcept>
 #include <utility>
 #include <vector>
@@ -18,7 +20,7 @@ struct Sellmeier {
     const char* material;
     std::array<SellmeierTerm, 4> terms;
 };
-const std::array<Sellmeier, 4> sellmeier_materials{{
+const std::array<Sellmeier, 5> sellmeier_materials{{
     // Malitson 1965, JOSA 55, 1205
     {"sio2",
      {{{0.6961663, square(0.0684043)}, {0.4079426, square(0.1162414)}, {0.8974794, square(9.896161)}, {0.0, 0.0}}}},
@@ -31,6 +33,8 @@ const std::array<Sellmeier, 4> sellmeier_materials{{
     // Malitson and Dodge 1972, JOSA 62, 1405, ordinary ray
     {"al2o3",
      {{{1.4313493, square(0.0726631)}, {0.65054713, square(0.1193242)}, {5.3414021, square(18.028251)}, {0.0, 0.0}}}},
+    // Schott's catalogue: N-BK7
+    {"bk7", {{{1.03961212, 0.00600069867}, {0.231792344, 0.0200179144}, {1.01046945, 103.560653}, {0.0, 0.0}}}},
     // Daimon and Masumura 2007, Appl. Opt. 46, 3811, 20 degrees
     {"water",
      {{{5.684027565e-1, 5.101829712e-3},
@@ -206,6 +210,27 @@ Index tabulated_index(const std::string& material) {
     curve.k = std::move(k);
     curve.first_nm = 360.0;
     curve.last_nm = 830.0;
+    return Index(std::make_shared<const IndexCurve>(std::move(curve)));
+}
+
+// Rows are the only lines that begin with a number and have two more.
+Index index_of_file(const std::string& material, const std::string& path) {
+    std::ifstream file(path);
+    if (!file) throw std::runtime_error("cannot read " + path);
+    IndexCurve curve;
+    SampledCurve n, k;
+    for (std::string line; std::getline(file, line);) {
+        std::istringstream row(line);
+        double um = 0.0, of_n = 0.0, of_k = 0.0;
+        if (!(row >> um >> of_n >> of_k) || um < 0.35 || um > 0.85) continue;
+        n.wavelength_nm.push_back(1000.0 * um);
+        n.value.push_back(of_n);
+        k.wavelength_nm.push_back(1000.0 * um);
+        k.value.push_back(of_k);
+    }
+    curve.name = material;
+    curve.n = std::move(n);
+    curve.k = std::move(k);
     return Index(std::make_shared<const IndexCurve>(std::move(curve)));
 }
 

@@ -94,6 +94,10 @@ ModelXyz Model::at(double x, double y) const {
                                                            : parts_->with_facets(own_x);
 }
 
+ModelXyz Model::resolved(double own_x, double y, double tolerance) const {
+    return parts_->light.adapted(parts_->flat->resolved(own_x, y, tolerance));
+}
+
 double Model::cost() const {
     return parts_->flat ? parts_->flat->cost() : 1.0;
 }

@@ -26,6 +26,10 @@ public:
     /// @param x,y  LUT coordinates in [0, 1]; y does not matter without a second axis
     ModelXyz at(double x, double y = 0.0) const;
 
+    /// Of layers without facets, however narrow their resonances are. @param own_x  sqrt(cos(theta))
+    /// @param tolerance  of reflectance times nanometres, in each nanometre
+    ModelXyz resolved(double own_x, double y, double tolerance) const;
+
     /// Of layers: faces times wavelengths that a colour takes at least.
     double cost() const;
     /// Points at which doubling ended before the tolerance was met.

@@ -33,6 +33,13 @@ std::vector<ModelScene> random_layers();
 inline constexpr int random_effects_count = 300;
 std::vector<ModelScene> random_effects();
 
+/// Layers in which light goes to and fro, named r000 to r399; the kind is the number modulo five.
+///
+/// Air gaps of 100 to 1200 nm between a prism and a metal; dielectrics between metals; mirrors around a defect; long
+/// stacks with the edge of their band in sight; films of 0 to 20 um. A third has a base, a spread or a tilt.
+inline constexpr int random_resonators_count = 400;
+std::vector<ModelScene> random_resonators();
+
 /// "s007"
 std::string numbered(char kind, int index);
 

@@ -61,6 +61,20 @@ std::string mechanism_text(const Mechanism& mechanism) {
     return mechanism_text(std::get<Stack>(mechanism));
 }
 
+// Of bases those that are numbers or names.
+std::string effects_text(const Mechanism& mechanism) {
+    std::string text;
+    double spread_nm = 0.0;
+    if (const auto* film = std::get_if<Film>(&mechanism)) spread_nm = film->thickness_spread_nm;
+    if (const auto* stack = std::get_if<Stack>(&mechanism)) spread_nm = stack->thickness_spread_nm;
+    if (spread_nm > 0.0) text += "thickness_spread_nm = " + digits(spread_nm) + "\n";
+    if (mechanism.effects.tilt_deg > 0.0) text += "tilt_deg = " + digits(mechanism.effects.tilt_deg) + "\n";
+    if (!mechanism.effects.base) return text;
+    if (const auto* grey = std::get_if<GreyBase>(&*mechanism.effects.base))
+        return text + "base = " + digits(grey->reflectance) + "\n";
+    return text + "base = { metal = " + index_text(std::get<MetalBase>(*mechanism.effects.base).metal) + " }\n";
+}
+
 const char* axis_name(ModelAxis axis) {
     if (axis == ModelAxis::theta_deg) return "theta_deg";
     return axis == ModelAxis::cos_theta ? "cos_theta" : "sqrt_cos_theta";
@@ -77,8 +91,8 @@ std::string numbered(char kind, int index) {
 std::string scene_text(const ModelScene& scene, const std::optional<FixedLut>& fixed) {
     std::string text = "nacre = 1\n[light]\nilluminant = \"" + scene.illuminant + "\"\nobserver = \"" +
                        (scene.observer_deg == 10 ? "cie1964_10deg" : "cie1931_2deg") + "\"\n[material." + scene.name +
-                       "]\n" + mechanism_text(scene.mechanism) + "[lut." + scene.name + "]\nmaterial = \"" +
-                       scene.name + "\"\nx = \"" + axis_name(scene.x) + "\"\n";
+                       "]\n" + mechanism_text(scene.mechanism) + effects_text(scene.mechanism) + "[lut." + scene.name +
+                       "]\nmaterial = \"" + scene.name + "\"\nx = \"" + axis_name(scene.x) + "\"\n";
     if (scene.y) {
         text += "y = { parameter = \"" + scene.y->name + "\", from = " + digits(scene.y->from) +
                 ", to = " + digits(scene.y->to) + " }\n";

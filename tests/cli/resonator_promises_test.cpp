@@ -1,0 +1,223 @@
+// Promises that were once broken, or refused without need or for a wrong reason. What they are about is resonances: the
+// judge is the reference model with wavelengths as close as those need, densely along the LUT.
+#include <gtest/gtest.h>
+#include <sys/resource.h>
+
+#include <cstdlib>
+#include <ostream>
+#include <string>
+#include <vector>
+
+#include "reference/curve.h"
+#include "reference/dice.h"
+#include "reference/materials.h"
+#include "reference/model.h"
+#include "support/program.h"
+#include "support/written_lut.h"
+
+namespace nacre::test {
+namespace {
+
+using reference::Model;
+using reference::ModelScene;
+using reference::Worst;
+
+// Into a folder of the bound's name.
+ProgramResult bake(const TemporaryFolder& folder, const std::string& file, const std::string& bound,
+                   const std::vector<std::string>& more = {}) {
+    std::vector<std::string> arguments{"bake", file, "-o", bound, "--accuracy", bound, "--no-preview"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return run_nacre(arguments, {folder.path(), {}, {}, {}});
+}
+
+struct Promise {
+    const char* name;
+    std::string text;  // of the material
+    Mechanism mechanism;
+    const char* bound;
+    int most_texels;  // that the right number of wavelengths needs
+};
+
+void PrintTo(const Promise& promise, std::ostream* out) {
+    *out << promise.name;
+}
+
+Mechanism gap(double thickness_nm) {
+    Film film;
+    film.incident = 1.33;
+    film.index = 1.0;
+    film.thickness_nm = thickness_nm;
+    film.substrate = reference::named_index("ag");
+    return film;
+}
+
+std::string gap_text(const std::string& thickness_nm) {
+    return "mechanism = \"film\"\nincident = 1.33\nindex = 1.0\nthickness_nm = " + thickness_nm +
+           "\nsubstrate = \"ag\"\n";
+}
+
+Layer layer_of(const Index& index, double thickness_nm) {
+    Layer layer;
+    layer.index = index;
+    layer.thickness_nm = thickness_nm;
+    return layer;
+}
+
+Layer periods_of(int repeat, const Layer& first, const Layer& second) {
+    Layer group;
+    group.repeat = repeat;
+    group.layers = {first, second};
+    return group;
+}
+
+Index tio2() {
+    static const Index index =
+        reference::index_of_file("tio2", std::string(NACRE_SOURCE_DIR) + "/configs/materials/tio2.yml");
+    return index;
+}
+
+Mechanism mirror_with_defect() {
+    const Layer high = layer_of(tio2(), 57.0), low = layer_of(reference::named_index("sio2"), 94.0);
+    return Stack{1.0,
+                 {periods_of(6, high, low), layer_of(tio2(), 114.0), periods_of(6, low, high)},
+                 reference::named_index("bk7"),
+                 0.0};
+}
+
+constexpr const char* mirror_with_defect_text =
+    "mechanism = \"stack\"\nlayers = [\n"
+    "  { repeat = 6, layers = [ { index = \"tio2\", thickness_nm = 57 }, { index = \"sio2\", thickness_nm = 94 } ] },\n"
+    "  { index = \"tio2\", thickness_nm = 114 },\n"
+    "  { repeat = 6, layers = [ { index = \"sio2\", thickness_nm = 94 }, { index = \"tio2\", thickness_nm = 57 } ] },\n"
+    "]\nsubstrate = \"bk7\"\n";
+
+// configs/scenes/lacquered_metal.toml
+Mechanism rose_gold() {
+    const Layer high = layer_of(tio2(), 72.6), low = layer_of(reference::named_index("sio2"), 120.1);
+    Mechanism mechanism = Stack{1.0, {periods_of(2, high, low), high}, 1.5, 0.0};
+    mechanism.effects.base = MetalBase{reference::named_index("au")};
+    mechanism.effects.tilt_deg = 2.0;
+    return mechanism;
+}
+
+constexpr const char* rose_gold_text =
+    "mechanism = \"stack\"\nlayers = [\n"
+    "  { repeat = 2, layers = [ { index = \"tio2\", thickness_nm = 72.6 }, { index = \"sio2\", thickness_nm = 120.1 } "
+    "] "
+    "},\n"
+    "  { index = \"tio2\", thickness_nm = 72.6 },\n"
+    "]\nsubstrate = 1.5\nbase = { metal = \"au\" }\ntilt_deg = 2\n";
+
+Mechanism plain_film() {
+    Film film;
+    film.incident = film.substrate = 1.0;
+    film.index = 1.33;
+    film.thickness_nm = 400.0;
+    return film;
+}
+
+class ResonatorPromise : public testing::TestWithParam<Promise> {};
+
+TEST_P(ResonatorPromise, IsKeptAndClaimedTruly) {
+    const Promise& promise = GetParam();
+    const TemporaryFolder folder;
+    folder.file("s.toml", "[material.m]\n" + promise.text);
+    const ProgramResult result = bake(folder, "s.toml", promise.bound);
+    ASSERT_EQ(result.exit_code, 0) << result.err;
+    const auto lut = read_written_lut(folder.path() / promise.bound / "m.exr");
+    ASSERT_TRUE(lut);
+    EXPECT_LE(lut->pixels.width, promise.most_texels);
+    ModelScene scene;
+    scene.name = "m";
+    scene.mechanism = promise.mechanism;
+    scene.x = reference::ModelAxis::sqrt_cos_theta;
+    const Worst worst = reference::worst_of(lut->pixels, reference::curve_of_layers(scene));
+    EXPECT_LE(worst.error, std::strtod(promise.bound, nullptr)) << "at x = " << worst.x;
+    // A thousandth: how closely a point may be missed that lies between those that were looked at.
+    EXPECT_LE(worst.error, 1.001 * lut->reached) << "at x = " << worst.x;
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Once, ResonatorPromise,
+    testing::Values(Promise{"Gap400", gap_text("400"), gap(400.0), "0.1", 1024},
+                    Promise{"Gap800", gap_text("800"), gap(800.0), "0.1", 2048},
+                    Promise{"Gap800Coarsely", gap_text("800"), gap(800.0), "0.2", 2048},
+                    Promise{"MirrorWithDefect", mirror_with_defect_text, mirror_with_defect(), "0.1", 256},
+                    Promise{"PlainFilm", "mechanism = \"film\"\nindex = 1.33\nthickness_nm = 400\n", plain_film(),
+                            "0.1", 256},
+                    Promise{"RoseGold", rose_gold_text, rose_gold(), "0.2", 256},
+                    Promise{"RoseGoldFinely", rose_gold_text, rose_gold(), "0.1", 256}),
+    [](const auto& parameters) { return std::string(parameters.param.name); });
+
+double seconds_of_children() {
+    rusage usage{};
+    ::getrusage(RUSAGE_CHILDREN, &usage);
+    const auto seconds = [](const timeval& time) {
+        return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
+    };
+    return seconds(usage.ru_utime) + seconds(usage.ru_stime);
+}
+
+// A film of no thickness reflects nothing, and any other all light that grazes it: in that corner a fetch is far off
+// whatever the size. What is found best and what it is blamed on have to be of one LUT.
+TEST(ResonatorPromises, AFilmFromNothingIsMetOrRefusedForItsReasonAndSoon) {
+    const TemporaryFolder folder;
+    folder.file("s.toml",
+                "[material.m]\nmechanism = \"film\"\nindex = \"water\"\nthickness_nm = 400\n[lut.m]\nmaterial = "
+                "\"m\"\ny = { parameter = \"thickness_nm\", from = 0, to = 1000 }\n");
+    folder.file("even.toml", "[material.even]\nmechanism = \"film\"\nindex = \"water\"\nthickness_nm = 400\n");
+    const double started = seconds_of_children();
+    ASSERT_EQ(bake(folder, "even.toml", "0.1").exit_code, 0);
+    const double of_one_row = seconds_of_children() - started;
+    const ProgramResult result = bake(folder, "s.toml", "0.1", {"--best-effort"});
+    ASSERT_EQ(result.exit_code, 0) << result.err;
+    // It took twelve times as long, most of it to try what cannot help.
+    EXPECT_LE(seconds_of_children() - started - of_one_row, 8.0 * of_one_row);
+    double claimed = 0.0;
+    const std::string reason = reason_of_refusal(result.err, "m");
+    if (!reason.empty()) {
+        claimed = std::strtod(result.err.c_str() + result.err.find("the best is ") + 12, nullptr);
+        const auto cost = reason.find(" texels cost");
+        ASSERT_NE(cost, std::string::npos) << result.err;
+        const std::string number = reason.substr(reason.find(' ', cost + 8) + 1);
+        EXPECT_NEAR(std::strtod(number.c_str(), nullptr), claimed, 0.1 * claimed) << result.err;
+    }
+    const auto lut = read_written_lut(folder.path() / "0.1" / "m.exr");
+    ASSERT_TRUE(lut);
+    if (reason.empty())
+        EXPECT_LE(lut->reached, 0.1) << result.err;
+    else
+        EXPECT_NEAR(lut->reached, claimed, 0.1 * claimed) << result.err;
+    ModelScene scene;
+    Film film;
+    film.incident = film.substrate = 1.0;
+    film.index = reference::named_index("water");
+    scene.mechanism = film;
+    scene.y = {"thickness_nm", 0.0, 1000.0, 0};
+    const double scale = reference::scale_of(lut->pixels);
+    const Model model(scene);
+    const auto error_at = [&](double x, double y) {
+        return reference::error_at(lut->pixels, scale, x, y, model.resolved(x, y, 1e-5));
+    };
+    // All over, and within the cell of that corner.
+    reference::Dice dice(1000);
+    struct {
+        double error = 0.0, x = 0.0, y = 0.0;
+    } worst;
+    for (int i = 0; i < 400; ++i) {
+        const double x = dice.unit(), y = dice.unit(), error = error_at(x, y);
+        if (error > worst.error) worst = {error, x, y};
+    }
+    constexpr int steps = 16;
+    for (int i = 0; i < steps; ++i) {
+        for (int j = 0; j <= steps; ++j) {
+            const double x = static_cast<double>(i) / steps / (lut->pixels.width - 1);
+            const double y = static_cast<double>(j) / steps / (lut->pixels.height - 1), error = error_at(x, y);
+            if (error > worst.error) worst = {error, x, y};
+        }
+    }
+    EXPECT_LE(worst.error, 1.015 * lut->reached) << "at (" << worst.x << ", " << worst.y << ")";
+}
+
+}  // namespace
+}  // namespace nacre::test

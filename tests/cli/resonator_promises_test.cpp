@@ -35,7 +35,7 @@ struct Promise {
     std::string text;  // of the material
     Mechanism mechanism;
     const char* bound;
-    int most_texels;  // that the right number of wavelengths needs
+    int most_texels;  // at most twice what exact texels need
 };
 
 void PrintTo(const Promise& promise, std::ostream* out) {
@@ -142,11 +142,11 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(Promise{"Gap400", gap_text("400"), gap(400.0), "0.1", 1024},
                     Promise{"Gap800", gap_text("800"), gap(800.0), "0.1", 2048},
                     Promise{"Gap800Coarsely", gap_text("800"), gap(800.0), "0.2", 2048},
-                    Promise{"MirrorWithDefect", mirror_with_defect_text, mirror_with_defect(), "0.1", 256},
+                    Promise{"MirrorWithDefect", mirror_with_defect_text, mirror_with_defect(), "0.1", 128},
                     Promise{"PlainFilm", "mechanism = \"film\"\nindex = 1.33\nthickness_nm = 400\n", plain_film(),
-                            "0.1", 256},
-                    Promise{"RoseGold", rose_gold_text, rose_gold(), "0.2", 256},
-                    Promise{"RoseGoldFinely", rose_gold_text, rose_gold(), "0.1", 256}),
+                            "0.1", 128},
+                    Promise{"RoseGold", rose_gold_text, rose_gold(), "0.2", 64},
+                    Promise{"RoseGoldFinely", rose_gold_text, rose_gold(), "0.1", 64}),
     [](const auto& parameters) { return std::string(parameters.param.name); });
 
 double seconds_of_children() {
@@ -158,14 +158,45 @@ double seconds_of_children() {
     return seconds(usage.ru_utime) + seconds(usage.ru_stime);
 }
 
+struct Place {
+    double error = 0.0, x = 0.0, y = 0.0;
+};
+
+// All over, and in the cell of the corner at (0, 0).
+Place worst_of_water(const reference::Pixels& lut) {
+    ModelScene scene;
+    Film film;
+    film.incident = film.substrate = 1.0;
+    film.index = reference::named_index("water");
+    scene.mechanism = film;
+    scene.y = {"thickness_nm", 0.0, 1000.0, 0};
+    const double scale = reference::scale_of(lut);
+    const Model model(scene);
+    Place worst;
+    const auto look = [&](double x, double y) {
+        const double error = reference::error_at(lut, scale, x, y, model.resolved(x, y, 1e-5));
+        if (error > worst.error) worst = {error, x, y};
+    };
+    reference::Dice dice(1000);
+    for (int i = 0; i < 400; ++i) {
+        const double x = dice.unit();
+        look(x, dice.unit());
+    }
+    constexpr int steps = 16;
+    for (int i = 0; i < steps; ++i)
+        for (int j = 0; j <= steps; ++j)
+            look(static_cast<double>(i) / steps / (lut.width - 1), static_cast<double>(j) / steps / (lut.height - 1));
+    return worst;
+}
+
 // A film of no thickness reflects nothing, and any other all light that grazes it: in that corner a fetch is far off
 // whatever the size. What is found best and what it is blamed on have to be of one LUT.
 TEST(ResonatorPromises, AFilmFromNothingIsMetOrRefusedForItsReasonAndSoon) {
     const TemporaryFolder folder;
-    folder.file("s.toml",
-                "[material.m]\nmechanism = \"film\"\nindex = \"water\"\nthickness_nm = 400\n[lut.m]\nmaterial = "
-                "\"m\"\ny = { parameter = \"thickness_nm\", from = 0, to = 1000 }\n");
-    folder.file("even.toml", "[material.even]\nmechanism = \"film\"\nindex = \"water\"\nthickness_nm = 400\n");
+    const std::string film = "mechanism = \"film\"\nindex = \"water\"\nthickness_nm = 400\n";
+    folder.file("even.toml", "[material.even]\n" + film);
+    folder.file("s.toml", "[material.m]\n" + film +
+                              "[lut.m]\nmaterial = \"m\"\ny = { parameter = \"thickness_nm\", from = 0, to = 1000 }\n");
     const double started = seconds_of_children();
     ASSERT_EQ(bake(folder, "even.toml", "0.1").exit_code, 0);
     const double of_one_row = seconds_of_children() - started;
@@ -173,49 +204,19 @@ TEST(ResonatorPromises, AFilmFromNothingIsMetOrRefusedForItsReasonAndSoon) {
     ASSERT_EQ(result.exit_code, 0) << result.err;
     // It took twelve times as long, most of it to try what cannot help.
     EXPECT_LE(seconds_of_children() - started - of_one_row, 8.0 * of_one_row);
-    double claimed = 0.0;
-    const std::string reason = reason_of_refusal(result.err, "m");
-    if (!reason.empty()) {
-        claimed = std::strtod(result.err.c_str() + result.err.find("the best is ") + 12, nullptr);
-        const auto cost = reason.find(" texels cost");
-        ASSERT_NE(cost, std::string::npos) << result.err;
-        const std::string number = reason.substr(reason.find(' ', cost + 8) + 1);
-        EXPECT_NEAR(std::strtod(number.c_str(), nullptr), claimed, 0.1 * claimed) << result.err;
-    }
     const auto lut = read_written_lut(folder.path() / "0.1" / "m.exr");
     ASSERT_TRUE(lut);
-    if (reason.empty())
+    const std::string reason = reason_of_refusal(result.err, "m");
+    if (reason.empty()) {
         EXPECT_LE(lut->reached, 0.1) << result.err;
-    else
+    } else {
+        const double claimed = std::strtod(result.err.c_str() + result.err.find("the best is ") + 12, nullptr);
         EXPECT_NEAR(lut->reached, claimed, 0.1 * claimed) << result.err;
-    ModelScene scene;
-    Film film;
-    film.incident = film.substrate = 1.0;
-    film.index = reference::named_index("water");
-    scene.mechanism = film;
-    scene.y = {"thickness_nm", 0.0, 1000.0, 0};
-    const double scale = reference::scale_of(lut->pixels);
-    const Model model(scene);
-    const auto error_at = [&](double x, double y) {
-        return reference::error_at(lut->pixels, scale, x, y, model.resolved(x, y, 1e-5));
-    };
-    // All over, and within the cell of that corner.
-    reference::Dice dice(1000);
-    struct {
-        double error = 0.0, x = 0.0, y = 0.0;
-    } worst;
-    for (int i = 0; i < 400; ++i) {
-        const double x = dice.unit(), y = dice.unit(), error = error_at(x, y);
-        if (error > worst.error) worst = {error, x, y};
+        const auto cost = reason.find(" texels costs ");
+        ASSERT_NE(cost, std::string::npos) << result.err;
+        EXPECT_NEAR(std::strtod(reason.c_str() + cost + 14, nullptr), claimed, 0.1 * claimed) << result.err;
     }
-    constexpr int steps = 16;
-    for (int i = 0; i < steps; ++i) {
-        for (int j = 0; j <= steps; ++j) {
-            const double x = static_cast<double>(i) / steps / (lut->pixels.width - 1);
-            const double y = static_cast<double>(j) / steps / (lut->pixels.height - 1), error = error_at(x, y);
-            if (error > worst.error) worst = {error, x, y};
-        }
-    }
+    const Place worst = worst_of_water(lut->pixels);
     EXPECT_LE(worst.error, 1.015 * lut->reached) << "at (" << worst.x << ", " << worst.y << ")";
 }
 

@@ -29,13 +29,11 @@ std::optional<WrittenLut> read_written_lut(const std::filesystem::path& path) {
 std::string reason_of_refusal(const std::string& messages, const std::string& name) {
     std::istringstream lines(messages);
     for (std::string line; std::getline(lines, line);) {
-        const auto place = line.find(" " + name + ": max_de00 = ");
-        const auto best = line.find(" cannot be reached; the best is ");
-        if (place == std::string::npos || best == std::string::npos) continue;
-        for (const char* format : {" half: ", " float: "}) {
-            const auto reason = line.find(format, best);
-            if (reason != std::string::npos) return line.substr(reason + std::string(format).size());
-        }
+        const auto place = line.find(" " + name + ": ");
+        if (place == std::string::npos || line.find("max_de00 = ", place) == std::string::npos) continue;
+        // What is the matter, a colon, and why.
+        const auto reason = line.find(": ", place + name.size() + 3);
+        if (reason != std::string::npos) return line.substr(reason + 2);
     }
     return "";
 }

@@ -76,7 +76,7 @@ std::vector<DecidedLut> decide_luts(std::vector<BakeTask>& tasks, const Executio
         next.asked = task.lut;
     }
     decide_all(luts, execution);
-    auto next = luts.cbegin();
+    auto next = luts.begin();
     for (BakeTask& task : tasks) {
         if (task.is_lut()) task.decided = &*next++;
     }
@@ -193,7 +193,7 @@ int run_bake(const BakeOptions& options, bool with_luts, Console& console) {
                     (options.previews.none ? "--no-preview leaves out the previews of LUTs" : "no LUT"));
     }
     const Execution execution = execution_on(options.threads, console);
-    const std::vector<DecidedLut> luts = decide_luts(tasks, execution);
+    std::vector<DecidedLut> luts = decide_luts(tasks, execution);
     const std::size_t out_of_reach = report_out_of_reach(luts, options.best_effort, console);
     if (out_of_reach > 0 && !options.best_effort) {
         console.error("nothing was written; --best-effort writes the most accurate LUTs that nacre found");

@@ -96,7 +96,10 @@ Json bake_json(const BakeTask& task, const BakeOutcome& outcome) {
     Json json = outcome.manifest;
     if (outcome.png_clamped) json["png_clamped"] = *outcome.png_clamped;
     json["unchanged"] = outcome.unchanged;
-    json["seconds"] = {{"deciding", task.decided->seconds}, {"baking", outcome.seconds}};
+    json["seconds"] = {{"deciding", task.decided->seconds},
+                       {"computing", outcome.baked.computing_seconds},
+                       {"measuring", outcome.baked.measuring_seconds},
+                       {"baking", outcome.seconds}};
     json["work"] = {{"deciding", work_json(task.decided->lut.work)}, {"baking", work_json(outcome.baked.work)}};
     return json;
 }

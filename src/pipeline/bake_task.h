@@ -27,7 +27,8 @@ struct BakeTask {
     const PlannedLut* lut = nullptr;        ///< of a preview the LUT that it shows; null for a swatch
     const PlannedSwatch* swatch = nullptr;  ///< null unless it is one
     const ColourSpace* display = nullptr;   ///< of a preview or swatch
-    const DecidedLut* decided = nullptr;    ///< of a LUT, once it is
+    /// Of a LUT, once it is decided; decided again if the LUT errs by more than its bound.
+    DecidedLut* decided = nullptr;
 
     bool is_lut() const { return kind == TaskKind::lut; }
     const std::string& name() const { return lut != nullptr ? lut->name : swatch->name; }
@@ -69,6 +70,9 @@ struct BakeOutcome {
 };
 
 /// Bakes, measures, encodes and hands the files to the target's folder, which commits them later.
+///
+/// A LUT that errs by more than its bound, though it was predicted to keep it, is chosen again more carefully and baked
+/// again, up to three times.
 ///
 /// A LUT's own failure is an outcome, and so is that of a picture; a refusal of the disk is thrown.
 BakeOutcome run_bake_task(const BakeTask& task, const BakeTarget& target, const Execution& execution);

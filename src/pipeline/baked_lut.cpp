@@ -11,6 +11,7 @@
 #include "nacre/optics/palette.h"
 #include "pipeline/lut_header.h"
 #include "pipeline/rounding.h"
+#include "pipeline/thread_clock.h"
 
 namespace nacre {
 namespace {
@@ -46,7 +47,9 @@ BakedLut bake_lut(const ChosenLut& chosen, const Plan& plan, const ColourSource&
                   const AfterRow& after_row) {
     const PlannedLut& lut = chosen.lut;
     BakedLut baked;
+    const double begin = thread_seconds();
     const Image<Xyz> xyz = bake(lut.job, after_row, &baked.work);
+    baked.computing_seconds = thread_seconds() - begin;
     baked.image = space.to_rgb(xyz);
     baked.gamut = gamut_report(baked.image);
     gamut_rule(space, lut.colour.gamut).apply(baked.image, xyz);
@@ -58,8 +61,10 @@ BakedLut bake_lut(const ChosenLut& chosen, const Plan& plan, const ColourSource&
     baked.left = gamut_report(baked.image);
     const Encoding encoding = lut_encoding(space, lut.colour.gamut);
     if (encoding.to_xyz) {
-        const Measured measured = measure(lut.job, baked.image, encoding, chosen.worst);
-        baked.reached = rounded_up(measured.reached + chosen.predicted.spread);
+        const double ready = thread_seconds();
+        const Measured& measured = baked.measured.emplace(measure(chosen, xyz, baked.image, encoding));
+        baked.reached = rounded_up(measured.reached);
+        baked.measuring_seconds = thread_seconds() - ready;
         baked.work += measured.work;
         if (encoding.keeps_colours)
             baked.clipping = clipping_loss(baked.image, encoding, measured.scale, lut.request.max_de00);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
@@ -23,10 +24,13 @@ struct BakedLut {
     Image<Rgb> image;  ///< as stored: every component is one of the format's numbers
     LutHeader header;
     std::optional<double>
-        reached;        ///< largest error found, rounded up to three digits; nothing where it cannot be known
-    Work work;          ///< baking and measuring, without choosing
-    GamutReport gamut;  ///< before [colour] gamut was applied
-    GamutReport left;   ///< after it, of the numbers as stored
+        reached;  ///< what it errs by at most, rounded up to three digits; nothing where it cannot be known
+    std::optional<Measured> measured;  ///< the same unrounded, and where it comes from
+    Work work;                         ///< baking and measuring, without choosing
+    double computing_seconds = 0.0;    ///< of one thread: the colours of its texels
+    double measuring_seconds = 0.0;    ///< likewise: comparing them with the independent reference
+    GamutReport gamut;                 ///< before [colour] gamut was applied
+    GamutReport left;                  ///< after it, of the numbers as stored
     /// Where negative components are kept: what clipping them would change. Nothing if it cannot be known.
     std::optional<ClippingLoss> clipping;
     std::vector<PickedColour> picked;  ///< of the material's picks those that were given as colours

@@ -92,6 +92,11 @@ void add_accuracy(Attributes& header, const ChosenLut& chosen, const BakedLut& b
     if (!chosen.effects.empty()) header.emplace_back("effects", effects_text(chosen.effects));
     header.emplace_back("accuracyAsked", request.has_bound ? number_text(request.max_de00) : "none");
     header.emplace_back("accuracyReached", baked.reached ? number_text(*baked.reached) : "unknown");
+    if (baked.measured) {
+        header.emplace_back("accuracyPoints", std::to_string(baked.measured->model_points) + " of the model, " +
+                                                  std::to_string(baked.measured->reference_points) +
+                                                  " of the reference");
+    }
 }
 
 void add_colour(Attributes& header, Gamut gamut, const ColourSource& source, const ColourSpace& space,

@@ -71,6 +71,8 @@ void add_accuracy(Json& json, const ChosenLut& chosen, const BakedLut& baked) {
     accuracy["max_de00"] = request.has_bound ? Json(request.max_de00) : Json();
     accuracy["predicted"] = baked.reached ? Json(rounded_up(chosen.predicted.total)) : Json();
     accuracy["reached"] = baked.reached ? Json(*baked.reached) : Json();
+    if (baked.measured)
+        accuracy["points"] = {{"model", baked.measured->model_points}, {"reference", baked.measured->reference_points}};
     for (const EffectChoice& choice : chosen.effects) {
         Json effect{{"effect", row_of(choice.effect).name},
                     {"state", choice.is_simulated ? "simulated"

@@ -106,7 +106,12 @@ Verification verify_lut(const StoredLut& stored, const ReadColourSpace& read_spa
         const BakedLut again = bake_lut(chosen, plan, {}, *space, after_row);
         compare_headers(stored.header, again.header, result);
         compare_texels(stored, again.image, result);
-        if (encoding.to_xyz) result.error = measure(chosen.lut.job, stored.image, encoding, chosen.worst).reached;
+        result.error = again.reached;
+        if (encoding.to_xyz && result.differing > 0) {
+            // In this order what is not a number stays so.
+            result.error =
+                std::max(measure(chosen.lut.job, stored.image, encoding, chosen.worst).reached, *result.error);
+        }
     } catch (const IoError&) {
         throw;  // the system's refusal says nothing about the LUT
     } catch (const Error& error) {

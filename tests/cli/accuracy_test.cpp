@@ -271,7 +271,13 @@ TEST(Cost, SweepsBoundsMethodsAndSizesAsTableCsvAndPicture) {
         return 0.0;
     };
     for (const auto& entry : json["cases"]) {
-        EXPECT_GT(entry["seconds"].get<double>(), 0.0);
+        const auto computing = entry["computing_seconds"].get<double>();
+        const auto deciding = entry["deciding_seconds"].get<double>();
+        const auto measuring = entry["measuring_seconds"].get<double>();
+        EXPECT_GT(computing, 0.0) << entry;
+        EXPECT_GT(measuring, 0.0) << entry << ": every way is checked";
+        EXPECT_EQ(deciding > 0.0, entry["family"] == "choice") << entry << ": a palette has no sampling to decide on";
+        EXPECT_DOUBLE_EQ(entry["all_seconds"].get<double>(), computing + deciding + measuring) << entry;
         if (entry["family"] == "choice") {
             EXPECT_LE(entry["de00"].get<double>(), entry["max_de00"].get<double>());
         }

@@ -72,7 +72,8 @@ TEST(Promises, CountWhatGivenSumsErrBy) {
         EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
         EXPECT_NE(outcome.err.find("cannot be reached"), std::string::npos) << counts << ": " << outcome.err;
         EXPECT_NE(outcome.err.find("sums over base, radii or slices cost"), std::string::npos) << outcome.err;
-        EXPECT_GE(1.1 * outcome.predicted, outcome.reached) << counts;
+        // What is reached is an upper estimate: the worst of the texels and the worst of the sums may lie apart.
+        EXPECT_GE(1.15 * outcome.predicted, outcome.reached) << counts;
         EXPECT_EQ(bake(material, std::string(counts) + "\nmax_de00 = 0.1").exit_code, 4) << counts;
     }
 }

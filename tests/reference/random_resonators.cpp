@@ -135,7 +135,8 @@ ModelScene random_one(int index) {
     ModelScene scene;
     scene.name = numbered('r', index);
     const auto kind = static_cast<std::size_t>(index) % kinds.size();
-    scene.mechanism = kinds[kind](dice, static_cast<double>(index / static_cast<int>(kinds.size())) / (of_a_kind - 1));
+    const int of_its_kind = index / static_cast<int>(kinds.size());
+    scene.mechanism = kinds[kind](dice, static_cast<double>(of_its_kind) / (of_a_kind - 1));
     if (dice.chance(0.3)) refine(dice, scene.mechanism);
     if (dice.chance(0.3)) scene.illuminant = dice.chance(0.5) ? "A" : "FL11";
     scene.x = dice.chance(0.2)   ? ModelAxis::theta_deg

@@ -29,7 +29,7 @@ namespace {
 // What an effect changes between the probes may be half as much again (empirical).
 constexpr double between_probes = 1.5;
 // Enough samples and radii to see whether a spread counts at all (empirical).
-constexpr int thickness_samples_of_contribution = 64;
+constexpr int thickness_samples_of_contribution = 16;
 constexpr int radii_of_contribution = 32;
 
 using ColoursOfBands = std::array<Colours, band_least_cos_theta.size()>;

@@ -31,11 +31,6 @@ namespace {
 // Empirical: no spectrum that a scene can name was sampled well by fewer.
 constexpr int fewest_nodes = 16;
 
-// How many tolerances a band may err by. In a film that stands free, light at grazing runs to and fro so often that no
-// grid resolves its fringes: there an error falls only as they are hit by more nodes. The last band is one hundredth of
-// the default axis.
-constexpr std::array<double, band_least_cos_theta.size()> tolerances_of_band{1.0, 1.0, 2.0, 3.0};
-
 // The next count that is worth trying: steps of a third or a quarter.
 int next_count(int count) {
     int power = fewest_nodes;
@@ -89,7 +84,7 @@ NodesOfBand choose_band(const Probes& probes, std::size_t band, const SpectralSa
     while (count < 2.0 * fringes && count < most_nodes) count = next_count(count);
     std::vector<Attempt> attempts;
     for (;; count = next_count(count)) {
-        const auto nodes = nodes_of_count(*probes.job.light, count);
+        const auto nodes = probes.nodes->of(count);
         attempts.push_back({nodes, colours_at(probes, band, with_nodes(sampling, nodes), {}, tally)});
         if (attempts.size() < 3) continue;
         const Attempt& candidate = attempts[attempts.size() - 3];
@@ -114,7 +109,7 @@ ChosenNodes requested_nodes(const Probes& probes, const ChosenNodes& good, const
     taken.error = 0.0;
     for (std::size_t band = 0; band < probes.bands.size(); ++band) {
         const Colours meant = colours_at(probes, band, with_nodes(sampling, good.nodes[band]), {}, tally);
-        taken.nodes[band] = nodes_of_count(*probes.job.light, requested[band]);
+        taken.nodes[band] = probes.nodes->of(requested[band]);
         const Colours seen = colours_at(probes, band, with_nodes(sampling, taken.nodes[band]), {}, tally);
         taken.error = std::max(taken.error, seen_share_of_band(probes, band) * largest_difference(seen, meant, tally));
     }
@@ -134,21 +129,22 @@ double seen_share_of_band(const Probes& probes, std::size_t band) {
 }
 
 ChosenNodes choose_nodes(const Probes& probes, SpectralSampling sampling, double tolerance, const NodeCounts& requested,
-                         ProbeTally& tally) {
+                         const NodeCounts& fewest, ProbeTally& tally) {
     const Job& job = probes.job;
     if (job.light->settings.wavelengths) return nodes_of_grid(*job.light);
     ChosenNodes chosen;
     if (is_layered(job.material.mechanism)) chosen.incoherent_layers = thick_layers(job, tolerance);
     sampling.incoherent_layers = chosen.incoherent_layers;
     if (is_uneven_everywhere(probes)) sampling.thickness_samples = few_thickness_samples;
-    int fewest = fewest_nodes;
+    int least = fewest_nodes;
     for (std::size_t band = 0; band < probes.bands.size(); ++band) {
         if (probes.bands[band].empty()) {
             chosen.nodes[band] = chosen.nodes.front();
             continue;
         }
-        NodesOfBand found = choose_band(probes, band, sampling, fewest, tolerances_of_band[band] * tolerance, tally);
-        fewest = found.nodes->count;
+        least = std::max(least, fewest[band]);
+        NodesOfBand found = choose_band(probes, band, sampling, least, tolerances_of_band[band] * tolerance, tally);
+        least = found.nodes->count;
         chosen.error = std::max(chosen.error, found.error);
         chosen.nodes[band] = std::move(found.nodes);
     }

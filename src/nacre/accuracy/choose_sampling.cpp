@@ -12,6 +12,7 @@
 // differences are judged at the brightness of the colours that were seen before.
 #include "nacre/accuracy/choose_sampling.h"
 
+#include <algorithm>
 #include <memory>
 #include <utility>
 
@@ -30,42 +31,43 @@ bool only_tilt_moves(const Job& job) {
 }
 
 // Steps 1 and 2.
-void choose_spectra(const Probes& probes, const SamplingTolerance& tolerance, const SamplingCounts& requested,
+void choose_spectra(const Probes& probes, const SamplingTolerance& tolerance, const SamplingRequest& request,
                     bool has_size_spread, ChosenSampling& chosen, ProbeTally& tally) {
     const Mechanism& mechanism = probes.job.material.mechanism;
     SpectralSampling& sampling = chosen.sampling;
     if (has_size_spread) {
-        const ChosenCount radii = choose_radii(probes, sampling, tolerance.quadrature, requested.radii, tally);
-        sampling.radii = radii.count;
+        const ChosenCount radii = choose_radii(probes, sampling, tolerance.quadrature, request.counts.radii, tally);
+        sampling.radii = std::max(radii.count, request.least.radii);
         chosen.quadrature_error += radii.error;
     }
     if (traits_of(mechanism).has_slices) {
-        const ChosenCount slices = choose_slices(probes, sampling, tolerance.quadrature, requested.slices, tally);
-        sampling.slices = slices.count;
+        const ChosenCount slices = choose_slices(probes, sampling, tolerance.quadrature, request.counts.slices, tally);
+        sampling.slices = std::max(slices.count, request.least.slices);
         chosen.quadrature_error += slices.error;
     }
     if (!samples_spectra(mechanism)) return;
-    ChosenNodes nodes = choose_nodes(probes, sampling, tolerance.nodes, requested.nodes, tally);
+    ChosenNodes nodes =
+        choose_nodes(probes, sampling, tolerance.nodes, request.counts.nodes, request.least.nodes, tally);
     sampling.nodes = std::move(nodes.nodes);
     sampling.incoherent_layers = std::move(nodes.incoherent_layers);
     chosen.error = nodes.error;
 }
 
 // Steps 4 and 5. @param left  effects that are simulated
-void choose_means(const Probes& probes, const SamplingTolerance& tolerance, const SamplingCounts& requested,
+void choose_means(const Probes& probes, const SamplingTolerance& tolerance, const SamplingRequest& request,
                   const EffectSet& left, ChosenSampling& chosen, ProbeTally& tally) {
     const Job& job = probes.job;
     SpectralSampling& sampling = chosen.sampling;
     if (!left.has(Effect::size_spread)) sampling.radii = 1;
     if (left.has(Effect::base) && is_layered(job.material.mechanism)) {
         const ChosenCount directions = choose_base_directions(probes, sampling, chosen.without, tolerance.quadrature,
-                                                              requested.base_directions, tally);
-        sampling.base_directions = directions.count;
+                                                              request.counts.base_directions, tally);
+        sampling.base_directions = std::max(directions.count, request.least.base_directions);
         chosen.quadrature_error += directions.error;
     }
     if (left.has(Effect::thickness_spread)) {
         const ChosenCount samples = choose_thickness_samples(probes, sampling, chosen.without, tolerance.spread,
-                                                             requested.thickness_samples, tally);
+                                                             request.counts.thickness_samples, tally);
         sampling.thickness_samples = samples.count;
         chosen.spread_error = samples.error;
     }
@@ -79,24 +81,24 @@ void choose_means(const Probes& probes, const SamplingTolerance& tolerance, cons
 
 }  // namespace
 
-ChosenSampling choose_sampling(const Job& job, const SamplingTolerance& tolerance, const SamplingCounts& requested,
+ChosenSampling choose_sampling(const Job& job, const SamplingTolerance& tolerance, const SamplingRequest& request,
                                const std::function<void()>& after_step) {
     const EffectSet named = effects_in(job);
     ChosenSampling chosen;
     chosen.without = job.without;
     if (!samples_spectra(job.material.mechanism) && named.is_empty()) return chosen;
 
-    const Probes probes = make_probes(job, after_step);
+    const Probes probes = make_probes(job, after_step, request.nodes);
     ProbeTally tally;
     const bool has_size_spread = named.has(Effect::size_spread) && !job.without.has(Effect::size_spread);
-    choose_spectra(probes, tolerance, requested, has_size_spread, chosen, tally);
+    choose_spectra(probes, tolerance, request, has_size_spread, chosen, tally);
 
     ChosenEffects effects = choose_effects(probes, chosen.sampling, tolerance.effects, tally);
     chosen.effects = std::move(effects.effects);
     chosen.without = effects.without;
     chosen.effects_error = effects.error;
 
-    choose_means(probes, tolerance, requested, named.minus(chosen.without), chosen, tally);
+    choose_means(probes, tolerance, request, named.minus(chosen.without), chosen, tally);
     chosen.work = tally.work;
     return chosen;
 }
@@ -106,7 +108,7 @@ Job integrated_job(Job job, const SamplingTolerance& tolerance) {
     job.light = without_wavelengths(job.light);
     SamplingCounts counts = job.sampling.counts();
     counts.nodes = {};
-    job.sampling = choose_sampling(job, tolerance, counts).sampling;
+    job.sampling = choose_sampling(job, tolerance, {.counts = counts}).sampling;
     return job;
 }
 

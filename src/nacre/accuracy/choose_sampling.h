@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <vector>
 
 #include "nacre/accuracy/choose_effects.h"
@@ -31,6 +32,13 @@ struct SamplingTolerance {
     double effects = 0.0;      ///< of all that are left out; 0: none is
 };
 
+/// What a choice starts from.
+struct SamplingRequest {
+    SamplingCounts counts{};             ///< what the caller requests; 0: to be chosen
+    SamplingCounts least{};              ///< of those that are chosen
+    std::shared_ptr<NodeMaker> nodes{};  ///< of the job's light, to be shared; null: an own one
+};
+
 /// The fewest nodes that keep colours within the tolerance at probes all over the job's axes (twice and three times
 /// that in the two bands next to grazing; between probes they may err by half as much again), and likewise the fewest
 /// points of every other sum.
@@ -38,9 +46,8 @@ struct SamplingTolerance {
 /// The light's own `wavelengths` are taken if the scene requests them; job.without is left out, and what that changes
 /// is an error like any other. A job of thousands of layers may need more than a search should take: then the search
 /// ends with what it has, and tells its error.
-/// @param requested   what the caller requests; 0: to be chosen
 /// @param after_step  called every few colours; what it throws ends the choice
-ChosenSampling choose_sampling(const Job& job, const SamplingTolerance& tolerance, const SamplingCounts& requested = {},
+ChosenSampling choose_sampling(const Job& job, const SamplingTolerance& tolerance, const SamplingRequest& request = {},
                                const std::function<void()>& after_step = {});
 
 /// The same job without `wavelengths`: its spectra are integrated, and its other sums keep their counts. A job without

@@ -68,9 +68,9 @@ ChosenCount choose_count(std::span<const int> list, int requested, double tolera
 
 ChosenCount choose_radii(const Probes& probes, const SpectralSampling& sampling, double tolerance, int requested,
                          ProbeTally& tally) {
-    constexpr int enough_nodes = 48;  // a mean over radii is smooth in wavelength
+    constexpr int enough_nodes = 24;  // a mean over radii is smooth in wavelength
     const Mechanism& mechanism = probes.job.material.mechanism;
-    const SpectralSampling probed = with_nodes(sampling, nodes_of_count(*probes.job.light, enough_nodes));
+    const SpectralSampling probed = with_nodes(sampling, probes.nodes->of(enough_nodes));
     const auto colours_of = [&](int radii) {
         SpectralSampling tried = probed;
         tried.radii = radii;
@@ -87,7 +87,7 @@ ChosenCount choose_slices(const Probes& probes, const SpectralSampling& sampling
     const Job& job = probes.job;
     const double fringes = fringe_count(probes.bands.front().front().simulated, job.light->settings);
     const int nodes = static_cast<int>(std::clamp(2.0 * fringes, fewest_nodes, most_nodes_of_probe));
-    const SpectralSampling probed = with_nodes(sampling, nodes_of_count(*job.light, nodes));
+    const SpectralSampling probed = with_nodes(sampling, probes.nodes->of(nodes));
     const auto colours_of = [&](int slices) {
         SpectralSampling tried = probed;
         tried.slices = slices;
@@ -120,14 +120,15 @@ ChosenCount choose_thickness_samples(const Probes& probes, const SpectralSamplin
     };
     const ThicknessSampleCounts counts = thickness_sample_counts(probes.bands.front().front().simulated);
     const double factor = counts.converge_fast ? 1.0 : error_per_difference_of_slow_means;
-    if (requested > 0) {
-        const Colours taken = colours_of(requested);
-        return {requested, factor * largest_difference(taken, colours_of(2 * requested), tally)};
-    }
     const double per_sample = effort_per_sample(probes.job.material.mechanism, sampling.slices);
-    ChosenCount chosen = first_that_agrees(counts.list, tolerance / factor, per_sample, colours_of, tally);
-    chosen.error *= factor;
-    return chosen;
+    const int count = requested > 0
+                          ? requested
+                          : first_that_agrees(counts.list, tolerance / factor, per_sample, colours_of, tally).count;
+    // The error is part of what a file says it reached, and has to be the same for a count that was found and for the
+    // same count where it is given: judged at the brightness of these colours alone.
+    ProbeTally own;
+    const Colours taken = colours_of(count);
+    return {count, factor * largest_difference(taken, colours_of(2 * count), own)};
 }
 
 }  // namespace nacre

@@ -48,18 +48,18 @@ std::vector<Geometry> probed_geometries(const Mechanism& mechanism, const Geomet
 }
 
 // As many points of each sum as the colour at this geometry needs.
-// @param nodes  that resolve the spectrum
-SpectralSampling sums_at(const Job& job, const Geometry& geometry, const std::shared_ptr<const SpectralNodes>& nodes,
+// @param count  of nodes that resolve the spectrum
+SpectralSampling sums_at(const Job& job, const Geometry& geometry, int count, const std::shared_ptr<NodeMaker>& nodes,
                          ProbeTally& tally) {
     const Mechanism& mechanism = job.material.mechanism;
     const EffectSet effects = effects_in(job);
-    Probes probes{job, {}, {}};
+    Probes probes{job, {}, {}, nodes};
     probes.bands.front().push_back({mechanism, mechanism, probed_geometries(mechanism, geometry)});
     SpectralSampling sums;
     if (effects.has(Effect::size_spread)) sums.radii = choose_radii(probes, sums, tolerance_of_sums, 0, tally).count;
     if (traits_of(mechanism).has_slices) sums.slices = choose_slices(probes, sums, tolerance_of_sums, 0, tally).count;
     if (!is_layered(mechanism)) return sums;
-    sums = with_nodes(sums, nodes);
+    sums = with_nodes(sums, nodes->of(count));
     if (effects.has(Effect::base))
         sums.base_directions = choose_base_directions(probes, sums, {}, tolerance_of_sums, 0, tally).count;
     if (!is_irregular(mechanism)) return sums;
@@ -93,12 +93,6 @@ bool agree(const Xyz& one, const Xyz& other, const Light& light) {
 
 }  // namespace
 
-const std::shared_ptr<const SpectralNodes>& ExactColours::nodes(int count) {
-    std::shared_ptr<const SpectralNodes>& kept = nodes_[count];
-    if (kept == nullptr) kept = nodes_of_count(light_, count);
-    return kept;
-}
-
 // The second of the first two counts that agree, or the last that memory and effort allow.
 Xyz ExactColours::converged(const Mechanism& mechanism, const Geometry& geometry) {
     Job job;
@@ -106,10 +100,10 @@ Xyz ExactColours::converged(const Mechanism& mechanism, const Geometry& geometry
     job.light = {std::shared_ptr<const Light>(), &light_};  // lent for as long as this function runs
     int count = first_count(mechanism, light_.settings);
     ProbeTally tally;
-    const SpectralSampling sums = sums_at(job, geometry, nodes(count), tally);
+    const SpectralSampling sums = sums_at(job, geometry, count, nodes_, tally);
     const double per_sample = effort_per_sample(mechanism, sums.slices);
     const auto colour_of = [&](int nodes_count) {
-        return mean_of_facets(mechanism, geometry, with_nodes(sums, nodes(nodes_count)), light_, tally.work);
+        return mean_of_facets(mechanism, geometry, with_nodes(sums, nodes_->of(nodes_count)), light_, tally.work);
     };
     Xyz before = colour_of(count);
     for (;;) {

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <map>
 #include <memory>
 
 #include "nacre/colour/colour_types.h"
@@ -22,16 +21,15 @@ namespace nacre {
 class ExactColours {
 public:
     /// @param light  has to outlive this
-    explicit ExactColours(const Light& light) : light_(light) {}
+    explicit ExactColours(const Light& light) : light_(light), nodes_(std::make_shared<NodeMaker>(light.weights)) {}
 
     Xyz at(const Mechanism& mechanism, const Geometry& geometry);
 
 private:
     Xyz converged(const Mechanism& mechanism, const Geometry& geometry);
-    const std::shared_ptr<const SpectralNodes>& nodes(int count);
 
     const Light& light_;
-    std::map<int, std::shared_ptr<const SpectralNodes>> nodes_;  // by their number
+    std::shared_ptr<NodeMaker> nodes_;
 };
 
 /// One of them.

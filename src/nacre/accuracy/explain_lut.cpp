@@ -32,12 +32,10 @@ std::vector<LutPoint> cell_middles(const Job& job) {
     return points;
 }
 
-double interpolation_error(const LutSearch& search, const FoundLut& found, const Job& job, Work& work) {
-    Trial trial = try_candidate(search, found.candidate);
-    std::vector<LutPoint> points = cell_middles(job);
+double interpolation_error(const FoundLut& found) {
+    std::vector<LutPoint> points = cell_middles(found.trial->job());
     points.insert(points.end(), found.scan.worst.begin(), found.scan.worst.end());
-    const std::vector<double> errors = trial.unrounded_errors_at(points);
-    work += trial.work();
+    const std::vector<double> errors = found.trial->unrounded_errors_at(points);
     double largest = 0.0;
     for (const double error : errors) largest = std::max(largest, error);
     return largest;
@@ -70,14 +68,18 @@ ChosenLut explain_lut(const LutSearch& search, FoundLut found, Work work) {
     result.effects = survey.effects;
     result.predicted = survey.known;
     result.predicted.total = total_error(survey, found.scan.largest);
-    result.predicted.storage = found.storage_error;
-    result.predicted.interpolation = interpolation_error(search, found, job, work);
+    result.predicted.storage = found.trial->storage_error();
+    result.predicted.interpolation = interpolation_error(found);
     result.is_reached = found.is_reached;
     result.worst = std::move(found.scan.worst);
+    result.from_model = found.scan.largest / share_found_by_scan(job);
+    result.model_points = found.scan.points;
+    result.curve = survey.curve;
     if (!result.is_reached) {
         const std::int64_t most = survey.is_2d() ? survey.effort.most_texels() : std::int64_t{largest_lut_size};
         const double lost = lost_by_space(search, job, work);
-        result.limiting_factor = limiting_factor(result, {lost, survey.effort.is_spent(work), static_cast<int>(most)});
+        result.limiting_factor =
+            limiting_factor(result, SearchEnd{lost, survey.effort.is_spent(work), static_cast<int>(most), found.jump});
     }
     result.work = work;
     return result;

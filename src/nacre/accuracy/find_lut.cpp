@@ -1,11 +1,13 @@
 // The search for a LUT's size and format.
 //
 // In: a survey (sampling, brightness, limit of error, limit of effort). In this order:
-//   1. Candidates are listed by bytes. In 2D, one side is tried alone along slices through the LUT first: no candidate
+//   1. A 2D LUT is looked at where its axes end: if the colour jumps there, no size helps, and it gets a usual
+//      one.
+//   2. Candidates are listed by bytes. In 2D, one side is tried alone along slices through the LUT first: no candidate
 //      needs to be narrower than the narrowest that fits along a slice, which rules out most of them.
-//   2. Each is baked and scanned, the cheapest first, until one errs by no more than the limit. Where one failed is
+//   3. Each is baked and scanned, the cheapest first, until one errs by no more than the limit. Where one failed is
 //      where the next is scanned first, so that those too small fail at once.
-//   3. If none fits, or the effort is spent, the largest are tried in turn for the least error, and of those that are
+//   4. If none fits, or the effort is spent, the largest are tried in turn for the least error, and of those that are
 //      equally good the smallest is taken.
 // The effort is counted, not timed, so that every machine finds the same LUT; what the survey took counts too.
 #include "nacre/accuracy/find_lut.h"
@@ -19,8 +21,10 @@
 #include <span>
 #include <utility>
 
+#include "nacre/colour/difference.h"
 #include "nacre/lut/formats.h"
 #include "nacre/lut/planned_lut.h"
+#include "nacre/lut/sampler.h"
 
 namespace nacre {
 namespace {
@@ -45,13 +49,20 @@ bool is_spent(const LutSearch& search, const Work& work) {
     return search.survey.effort.is_spent(work);
 }
 
-Trial trial_of(const LutSearch& search, Job job, const Candidate& candidate, double scale, const ModelCurve* curve,
-               TexelsOfWidths* known) {
+std::shared_ptr<Trial> trial_of(const LutSearch& search, Job job, const Candidate& candidate, double scale,
+                                const ModelCurve* curve, TexelsOfWidths* known) {
     job.width = candidate.width;
     job.height = candidate.height;
     const bool model_samples = search.survey.spectrum_error == SpectrumError::not_judged;
-    return Trial(job, candidate.format, search.encoding, model_samples, scale, search.survey.scale, search.after_step,
-                 curve, known);
+    return std::make_shared<Trial>(job, candidate.format, search.encoding, model_samples, scale, search.survey.scale,
+                                   search.after_step, curve, known);
+}
+
+// A candidate, baked and ready to be compared with the model.
+std::shared_ptr<Trial> try_candidate(const LutSearch& search, const Candidate& candidate) {
+    const LutSurvey& survey = search.survey;
+    return trial_of(search, survey.lut.job, candidate, 0.0, survey.curve.get(),
+                    survey.is_2d() ? nullptr : search.known);
 }
 
 // The job along a line through a 2D LUT. @param at  the other coordinate
@@ -66,14 +77,59 @@ Job slice_of(const Job& job, bool is_along_x, double at) {
     return slice;
 }
 
+// Whether the colour jumps near a point, or changes within a millionth of the finest texel by more than the bound.
+//
+// Of the texel around the point the part with the largest change is taken, and of that again. Colours may jump without
+// jumping along any row or column: a film of no thickness reflects nothing, and the thinnest is a mirror at 90 degrees.
+bool jumps_near(const LutSearch& search, LutPoint at) {
+    constexpr int halvings = 20;
+    // With the finest nodes for all angles: where bands of angles meet, colours differ by what coarser ones err by.
+    Job job = search.survey.lut.job;
+    job.sampling.nodes.fill(job.sampling.nodes.back());
+    const double scale = search.survey.scale;
+    Sampler sampler(job);
+    double left = std::max(at.x - 1.0 / largest_lut_size, 0.0);
+    double low = std::max(at.y - 1.0 / largest_lut_size, 0.0);
+    double width = std::min(at.x + 1.0 / largest_lut_size, 1.0) - left;
+    double height = job.y ? std::min(at.y + 1.0 / largest_lut_size, 1.0) - low : 0.0;
+    double change = 0.0;
+    for (int i = 0; i < halvings; ++i) {
+        width *= 0.5;
+        height *= 0.5;
+        std::array<std::array<Xyz, 3>, 3> colours;
+        for (std::size_t row = 0; row < 3; ++row) {
+            for (std::size_t column = 0; column < 3; ++column) {
+                colours[row][column] = !job.y && row > 0 ? colours[0][column]
+                                                         : sampler.at(left + static_cast<double>(column) * width,
+                                                                      low + static_cast<double>(row) * height);
+            }
+        }
+        std::size_t row_of_most = 0, column_of_most = 0;
+        change = -1.0;
+        for (std::size_t row = 0; row < 2; ++row) {
+            for (std::size_t column = 0; column < 2; ++column) {
+                const double here = std::max(difference_at(colours[row][column], colours[row + 1][column + 1], scale),
+                                             difference_at(colours[row + 1][column], colours[row][column + 1], scale));
+                if (here <= change) continue;
+                change = here;
+                row_of_most = row;
+                column_of_most = column;
+            }
+        }
+        left += static_cast<double>(column_of_most) * width;
+        low += static_cast<double>(row_of_most) * height;
+    }
+    return change > search.survey.lut.request.max_de00;
+}
+
 // The least width that fits a slice, from `smallest` on.
 int smallest_width(const LutSearch& search, const Job& slice, int smallest, Work& work) {
     std::vector<LutPoint> failed;
     for (int size = smallest; size < largest_lut_size && !is_spent(search, work); size *= 2) {
         const Candidate candidate{size, 1, PixelFormat::single_float};
-        Trial trial = trial_of(search, slice, candidate, search.survey.scale, nullptr, nullptr);
-        const Scan scan = scan_errors(trial, scan_limit(search.survey), failed);
-        work += trial.work();
+        const std::shared_ptr<Trial> trial = trial_of(search, slice, candidate, search.survey.scale, nullptr, nullptr);
+        const Scan scan = scan_errors(*trial, scan_limit(search.survey), failed);
+        work += trial->work();
         if (scan.is_complete) return size;
         failed.insert(failed.begin(), scan.at);
     }
@@ -91,11 +147,20 @@ int smallest_side(const LutSearch& search, bool is_along_x, Work& work) {
 struct CandidateList {
     std::vector<Candidate> candidates;  // by bytes
     bool may_fit = true;                // false: they are only tried for the best there is
+    std::optional<LutPoint> jump{};     // where no size helps
 };
 
 CandidateList list_candidates(const LutSearch& search, Work& work) {
     const AccuracyRequest& request = search.survey.lut.request;
     const bool is_2d = search.survey.is_2d();
+    if (is_2d && request.has_bound) {
+        for (const LutPoint corner : {LutPoint{0.0, 0.0}, {1.0, 0.0}, {0.0, 1.0}, {1.0, 1.0}}) {
+            if (!jumps_near(search, corner)) continue;
+            const Candidate usual{request.width.value_or(usual_lut_width), request.height.value_or(usual_lut_height),
+                                  request.format.value_or(PixelFormat::half_float)};
+            return {{usual}, false, corner};
+        }
+    }
     const int narrowest = is_2d && !request.width ? smallest_side(search, true, work) : 2;
     const int lowest = is_2d && !request.height ? smallest_side(search, false, work) : 2;
     if (is_spent(search, work))
@@ -113,7 +178,7 @@ void remember(std::vector<LutPoint>& failures, LutPoint point) {
     if (failures.size() > most_failures) failures.pop_back();
 }
 
-// Step 2. @param failures  where candidates failed is added
+// Step 3. @param failures  where candidates failed is added
 std::optional<FoundLut> find_smallest(const LutSearch& search, const std::vector<Candidate>& candidates,
                                       std::vector<LutPoint>& failures, Work& work) {
     const LutSurvey& survey = search.survey;
@@ -122,9 +187,9 @@ std::optional<FoundLut> find_smallest(const LutSearch& search, const std::vector
     const bool has_means = survey.known.spread > 0.0 || survey.known.quadrature > 0.0;
     for (const Candidate& candidate : candidates) {
         if (is_spent(search, work)) return std::nullopt;
-        Trial trial = try_candidate(search, candidate);
-        Scan scan = scan_errors(trial, is_judged ? limit : unlimited, failures);
-        work += trial.work();
+        std::shared_ptr<Trial> trial = try_candidate(search, candidate);
+        Scan scan = scan_errors(*trial, is_judged ? limit : unlimited, failures);
+        work += trial->work();
         if (!scan.is_complete) {
             remember(failures, scan.at);
             continue;
@@ -132,7 +197,7 @@ std::optional<FoundLut> find_smallest(const LutSearch& search, const std::vector
         // A mean may be too rough for any LUT.
         const bool is_reached =
             scan.largest <= limit && (!has_means || judged_error(survey, scan.largest) <= survey.lut.request.max_de00);
-        return FoundLut{candidate, std::move(scan), trial.storage_error(), is_reached};
+        return FoundLut{candidate, std::move(scan), std::move(trial), is_reached};
     }
     return std::nullopt;
 }
@@ -151,7 +216,7 @@ std::vector<Candidate> best_first(const std::vector<Candidate>& candidates, bool
     return ordered;
 }
 
-// Step 3: the least error there is; of sizes that are equally good the smallest.
+// Step 4: the least error there is; of sizes that are equally good the smallest.
 FoundLut find_best(const LutSearch& search, const std::vector<Candidate>& candidates, std::vector<LutPoint> failures,
                    Work& work) {
     const LutSurvey& survey = search.survey;
@@ -166,28 +231,22 @@ FoundLut find_best(const LutSearch& search, const std::vector<Candidate>& candid
         const bool is_of_same_size =
             best && best->candidate.width == candidate.width && best->candidate.height == candidate.height;
         if (best && survey.effort.is_far_beyond(work) && !is_of_same_size) break;
-        Trial trial = try_candidate(search, candidate);
+        std::shared_ptr<Trial> trial = try_candidate(search, candidate);
         const auto first = best ? std::span<const LutPoint>(failures) : std::span<const LutPoint>{};
-        Scan scan = scan_errors(trial, as_good * least, first);
-        work += trial.work();
+        Scan scan = scan_errors(*trial, as_good * least, first);
+        work += trial->work();
         if (!scan.is_complete) {
             remember(failures, scan.at);
             continue;
         }
         least = std::min(least, scan.largest);
-        best = FoundLut{candidate, std::move(scan), trial.storage_error(), false};
+        best = FoundLut{candidate, std::move(scan), std::move(trial), false};
     }
     assert(best);  // the first is scanned without a limit
     return std::move(*best);
 }
 
 }  // namespace
-
-Trial try_candidate(const LutSearch& search, const Candidate& candidate) {
-    const LutSurvey& survey = search.survey;
-    return trial_of(search, survey.lut.job, candidate, 0.0, survey.curve ? &*survey.curve : nullptr,
-                    survey.is_2d() ? nullptr : search.known);
-}
 
 FoundLut find_lut(const LutSearch& search, Work& work) {
     const LutSurvey& survey = search.survey;
@@ -200,6 +259,8 @@ FoundLut find_lut(const LutSearch& search, Work& work) {
     FoundLut best = find_best(search, list.candidates, std::move(failures), work);
     // What is left for texels may be so little that no candidate was taken as good, and the sum still fits.
     best.is_reached = judged_error(survey, best.scan.largest) <= scannable_bound(survey);
+    best.jump = list.jump;
+    if (!best.is_reached && !best.jump && jumps_near(search, best.scan.at)) best.jump = best.scan.at;
     return best;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -24,12 +25,11 @@ struct LutSearch {
 struct FoundLut {
     Candidate candidate;
     Scan scan;
-    double storage_error = 0.0;
-    bool is_reached = false;  ///< whether the bound is kept
+    std::shared_ptr<Trial> trial;  ///< of that size and format
+    bool is_reached = false;       ///< whether the bound is kept
+    /// Where the colour jumps, or turns so sharply that no texture can follow.
+    std::optional<LutPoint> jump{};
 };
-
-/// Bakes a candidate, to be compared with the model.
-Trial try_candidate(const LutSearch& search, const Candidate& candidate);
 
 /// The cheapest LUT that keeps the bound; if there is none, the best that a search of limited effort finds.
 /// @param work  what it takes is added; what was spent before counts too

@@ -19,6 +19,19 @@ std::string error_text(double error) {
     return significant_text(error, 2);
 }
 
+std::string angle_text(const Job& job, LutPoint at) {
+    const Geometry geometry = geometry_at(job, at.x, at.y);
+    switch (quantity_of(job.material.mechanism)) {
+        case Quantity::incidence:
+            return significant_text(geometry.incidence.theta_deg, 3) + " degrees";
+        case Quantity::grating_u:
+            return "u = " + significant_text(geometry.grating_u, 3);
+        case Quantity::cos_scatter:
+            return "cos = " + significant_text(geometry.cos_scatter, 3);
+    }
+    return {};
+}
+
 std::string between_texels(const ChosenLut& chosen, const SearchEnd& end) {
     const Job& job = chosen.lut.job;
     const AccuracyRequest& request = chosen.lut.request;
@@ -52,6 +65,24 @@ std::string of_format(const ChosenLut& chosen) {
            (is_half ? ": use float" : ": give a larger bound");
 }
 
+// "thickness_nm = 0, 90 degrees".
+std::string place_text(const Job& job, LutPoint at) {
+    std::string text;
+    const auto add = [&](const Axis& axis, double coordinate) {
+        if (!text.empty()) text += ", ";
+        text += axis.is_angle() ? angle_text(job, at)
+                                : axis.parameter.name + " = " + significant_text(axis.parameter_value(coordinate), 3);
+    };
+    add(job.x, at.x);
+    if (job.y) add(*job.y, at.y);
+    return text;
+}
+
+std::string of_jump(const Job& job, LutPoint at) {
+    return "the colour jumps at " + place_text(job, at) +
+           ", which no texture can hold: let the axis begin or end beside it, or give a larger bound";
+}
+
 std::string of_nodes(const ChosenLut& chosen) {
     const bool is_given = chosen.lut.request.sampling.nodes.front() > 0;
     return integration_text(chosen.lut.job) + " cost " + error_text(chosen.predicted.spectrum) +
@@ -60,8 +91,18 @@ std::string of_nodes(const ChosenLut& chosen) {
 
 }  // namespace
 
+std::string limiting_factor(const ChosenLut& chosen, const Measured& measured) {
+    if (measured.of_model <= 0.5 * measured.reached) {
+        return "between its " + size_text(chosen.lut.job) + " texels it errs by " + error_text(measured.of_texels) +
+               ": give a larger bound";
+    }
+    return "its colours, at " + integration_text(chosen.lut.job) + ", are off by " + error_text(measured.of_model) +
+           " from an independent integral: give a larger bound, or more in [accuracy.sampling]";
+}
+
 std::string limiting_factor(const ChosenLut& chosen, const SearchEnd& end) {
     const ErrorSplit& split = chosen.predicted;
+    if (end.jump) return of_jump(chosen.lut.job, *end.jump);
     if (split.effects > 0.5 * chosen.lut.request.max_de00) {
         return "effects that the scene leaves out cost " + error_text(split.effects) +
                ": remove them from [accuracy] without";

@@ -1,8 +1,13 @@
 // The error of a finished LUT, against the independent reference.
 //
-// In: the job, the numbers as they are in the file, and the points at which the search found the largest errors. The
-// colours of those points, of the corners and of points that are spread evenly over the LUT are fetched as a shader
-// does and compared with the reference. Where the reference is expensive, fewer points are compared, the worst first.
+// In: the choice, the texels, and the numbers as they are in the file. Two comparisons make an upper estimate:
+//   1. The numbers, fetched as a shader does, with the bake's own model: everywhere. The choice did that; where it took
+//      colours from a curve, it is done once more with the numbers as they are, and without the curve in the middles
+//      between texels.
+//   2. The model with the reference: at the points at which the LUT errs most, at the corners, and at points that are
+//      spread evenly. Where the reference is expensive there are fewer, the worst first. The numbers themselves are
+//      compared there, too, whatever the first comparison says. What the choice saw twice as many nodes change of a
+//      texel counts likewise: there are more texels than points.
 #include "nacre/accuracy/measure.h"
 
 #include <algorithm>
@@ -10,8 +15,10 @@
 #include <cstddef>
 #include <vector>
 
+#include "nacre/accuracy/effort.h"
 #include "nacre/accuracy/mechanism_traits.h"
 #include "nacre/accuracy/reference.h"
+#include "nacre/accuracy/scan.h"
 #include "nacre/accuracy/trial.h"
 #include "nacre/colour/difference.h"
 #include "nacre/lut/gamut.h"
@@ -30,6 +37,28 @@ LutPoint spread_point(int i, bool is_2d) {
     return {part(0.5 + i * plastic), part(0.5 + i * plastic * plastic)};
 }
 
+// XYZ as the colour space holds them.
+template <typename ColourAt>
+Image<Xyz> colours_of(const std::vector<LutPoint>& points, const Encoding& encoding, const ColourAt& colour_at) {
+    Image<Xyz> colours(static_cast<int>(points.size()), 1);
+    std::transform(points.begin(), points.end(), colours.begin(), colour_at);
+    return encoding.keeps_colours ? colours : encoding.to_xyz(encoding.to_rgb(colours));
+}
+
+// Measuring may take so many reflectances of a film, half a millisecond to two, or so many times what the texels take.
+// Chosen: with the choice itself it then takes less than ten times as long as the texels.
+constexpr double always_affordable = 5e5;
+constexpr double texels_affordable = 3.0;
+// So many points there are in any case, and at most.
+constexpr double fewest_points_judged = 12.0;
+constexpr double most_points_judged = 128.0;
+// That a curve of facets asks for (empirical).
+constexpr double colours_of_facet_curve = 70.0;
+
+double effort_of_texels(const Job& job) {
+    return static_cast<double>(job.width) * static_cast<double>(job.height) * effort_per_colour(job);
+}
+
 std::size_t part_of(std::size_t count, double share) {
     return static_cast<std::size_t>(std::ceil(share * static_cast<double>(count)));
 }
@@ -39,45 +68,132 @@ std::size_t part_of(std::size_t count, double share) {
 double measured_share(const Job& job) {
     const Mechanism mechanism = mechanism_at(job, 0.5, 0.5);
     const auto reference_cost = traits_of(mechanism).reference_cost;
-    const double cost = reference_cost != nullptr ? reference_cost(job, mechanism) : 1.0;
-    // Empirical: the time to measure rises with the root of the cost only, up to a twelfth of the points.
-    return cost <= 1.0 ? 1.0 : std::clamp(1.0 / std::sqrt(cost), 1.0 / 12.0, 1.0);
+    if (reference_cost == nullptr) return 1.0;
+    // Facets' colours are kept as long as the material is the same; else each point asks for a curve of them.
+    const bool has_facets = mechanism.effects.tilt_deg > 0.0;
+    const double colours =
+        has_facets && job.moves_material() && job.sampling.facets == nullptr ? colours_of_facet_curve : 1.0;
+    const double affordable = std::max(always_affordable, texels_affordable * effort_of_texels(job));
+    const double points = affordable / (colours * reference_cost(job, mechanism));
+    return std::clamp(points / most_points_judged, fewest_points_judged / most_points_judged, 1.0);
 }
 
-Measured measure(const Job& job, const Image<Rgb>& stored, const Encoding& encoding,
-                 std::span<const LutPoint> suspects) {
+namespace {
+
+// Of a LUT's bound, what the reference may err by. Chosen: it is seen in no digit that is told.
+constexpr double share_of_reference = 0.01;
+
+// The points at which the reference is asked, and what it says there.
+struct Judged {
+    std::vector<LutPoint> points;
+    Image<Xyz> truth;  // in a row
+};
+
+// @param tolerance  of the reference, CIEDE2000
+Judged judge(const Job& job, const Encoding& encoding, std::span<const LutPoint> suspects, double tolerance) {
     const bool is_2d = job.y.has_value();
     const double share = measured_share(job);
     suspects = suspects.first(part_of(suspects.size(), share));
-    std::vector<LutPoint> points(suspects.begin(), suspects.end());
+    Judged judged{{suspects.begin(), suspects.end()}, {}};
     for (const double x : {0.0, 1.0}) {
-        points.push_back({x, 0.0});
-        if (is_2d) points.push_back({x, 1.0});
+        judged.points.push_back({x, 0.0});
+        if (is_2d) judged.points.push_back({x, 1.0});
     }
     const auto spread = static_cast<int>(part_of(spread_points, share));
-    for (int i = 0; i < spread; ++i) points.push_back(spread_point(i, is_2d));
+    for (int i = 0; i < spread; ++i) judged.points.push_back(spread_point(i, is_2d));
+    const Reference reference(job, tolerance);
+    judged.truth = colours_of(judged.points, encoding, [&](LutPoint point) { return reference.at(point.x, point.y); });
+    return judged;
+}
 
-    const Reference reference(job);
-    const auto count = static_cast<int>(points.size());
-    Image<Xyz> truth(count, 1);
-    std::transform(points.begin(), points.end(), truth.begin(),
-                   [&](LutPoint point) { return reference.at(point.x, point.y); });
-    if (!encoding.keeps_colours) truth = encoding.to_xyz(encoding.to_rgb(truth));
-    Image<Rgb> fetched(count, 1);
-    std::transform(points.begin(), points.end(), fetched.begin(), [&](LutPoint point) { return fetch(stored, point); });
+Measured compare(const Judged& judged, const Image<Rgb>& stored, const Encoding& encoding) {
+    Image<Rgb> fetched(judged.truth.width(), 1);
+    std::transform(judged.points.begin(), judged.points.end(), fetched.begin(),
+                   [&](LutPoint point) { return fetch(stored, point); });
     const Image<Xyz> seen = encoding.to_xyz(fetched);
-    const double scale = brightness_scale(encoding.to_xyz(stored), display_scale(truth));
-
     Measured measured;
-    measured.scale = scale;
-    measured.work.references = points.size();
-    for (std::size_t i = 0; i < points.size(); ++i) {
-        const double error = difference_at(seen.data()[i], truth.data()[i], scale);
+    measured.scale = brightness_scale(encoding.to_xyz(stored), display_scale(judged.truth));
+    measured.reference_points = measured.work.references = judged.points.size();
+    for (std::size_t i = 0; i < judged.points.size(); ++i) {
+        const double error = difference_at(seen.data()[i], judged.truth.data()[i], measured.scale);
         if (error > measured.reached || std::isnan(error)) {
             measured.reached = error;
-            measured.at = points[i];
+            measured.at = judged.points[i];
         }
     }
+    return measured;
+}
+
+// What the bake's own model is from the truth, the largest at the points judged.
+double error_of_model(const ChosenLut& chosen, const Judged& judged, const Encoding& encoding, double scale) {
+    Sampler sampler(chosen.lut.job);
+    const Image<Xyz> model = colours_of(judged.points, encoding, [&](LutPoint point) {
+        return chosen.curve ? chosen.curve->at(point.x) : sampler.at(point.x, point.y);
+    });
+    double largest = 0.0;
+    for (std::size_t i = 0; i < model.size(); ++i)
+        largest = std::max(largest, difference_at(model.data()[i], judged.truth.data()[i], scale));
+    return largest;
+}
+
+// What the curve that stands for the model is from the model itself, at the texels.
+double error_of_curve(const ChosenLut& chosen, const Image<Xyz>& texels, double scale) {
+    double largest = 0.0;
+    for (int i = 0; i < texels.width(); ++i) {
+        const Xyz& texel = texels.at(i, 0);
+        largest =
+            std::max(largest, difference_at(chosen.curve->at(coordinate_of_texel(i, texels.width())), texel, scale));
+    }
+    return largest;
+}
+
+// What a fetch in the middle between two texels of a 1D LUT is from the model itself: there a linear filter errs most,
+// and a curve may have missed a narrow feature.
+double error_in_middles(const Job& job, const Image<Rgb>& stored, const Encoding& encoding, double scale) {
+    std::vector<LutPoint> middles;
+    for (int i = 0; i + 1 < stored.width(); ++i) middles.push_back({(i + 0.5) / (stored.width() - 1), 0.0});
+    Sampler sampler(job);
+    const Image<Xyz> model = colours_of(middles, encoding, [&](LutPoint point) { return sampler.at(point.x); });
+    Image<Rgb> fetched(model.width(), 1);
+    std::transform(middles.begin(), middles.end(), fetched.begin(),
+                   [&](LutPoint point) { return fetch(stored, point); });
+    const Image<Xyz> seen = encoding.to_xyz(fetched);
+    double largest = 0.0;
+    for (std::size_t i = 0; i < model.size(); ++i)
+        largest = std::max(largest, difference_at(seen.data()[i], model.data()[i], scale));
+    return largest;
+}
+
+}  // namespace
+
+Measured measure(const Job& job, const Image<Rgb>& stored, const Encoding& encoding,
+                 std::span<const LutPoint> suspects) {
+    return compare(judge(job, encoding, suspects, share_of_reference * AccuracyRequest::default_max_de00), stored,
+                   encoding);
+}
+
+Measured measure(const ChosenLut& chosen, const Image<Xyz>& texels, const Image<Rgb>& stored,
+                 const Encoding& encoding) {
+    const Job& job = chosen.lut.job;
+    const Judged judged = judge(job, encoding, chosen.worst, share_of_reference * chosen.lut.request.max_de00);
+    Measured measured = compare(judged, stored, encoding);
+    measured.model_points = chosen.model_points;
+    measured.of_texels = chosen.from_model;
+    if (chosen.curve) {
+        // The choice looked at texels from the curve.
+        Trial trial(job, stored, encoding, *chosen.curve, measured.scale);
+        const Scan scan = scan_errors(trial);
+        measured.of_texels =
+            std::max(scan.largest / share_found_by_scan(job) + error_of_curve(chosen, texels, measured.scale),
+                     error_in_middles(job, stored, encoding, measured.scale));
+        measured.model_points = scan.points;
+    }
+    measured.of_model = std::max(error_of_model(chosen, judged, encoding, measured.scale), chosen.of_nodes);
+    // The scene's own wavelengths are no model of the truth: what they err by was found by the true integral.
+    const bool is_sampled = job.light->settings.wavelengths.has_value();
+    const double in_all = is_sampled ? chosen.predicted.total : measured.of_texels + measured.of_model;
+    if (measured.reached < in_all) measured.reached = in_all;  // not a number stays what it is
+    measured.reached += chosen.predicted.spread;
     return measured;
 }
 

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <span>
 
+#include "nacre/accuracy/choose_lut.h"
 #include "nacre/lut/encoding.h"
 #include "nacre/lut/fetch.h"
 #include "nacre/lut/planned_lut.h"
@@ -12,13 +13,26 @@ namespace nacre {
 
 /// How far a finished LUT is from the truth.
 struct Measured {
-    double reached = 0.0;  ///< largest CIEDE2000 found
-    LutPoint at;
-    double scale = 1.0;  ///< how many times brighter colours were shown, see display_scale()
+    double reached = 0.0;              ///< CIEDE2000 that it errs by at most, at any coordinate
+    LutPoint at;                       ///< where the reference found the largest error
+    double of_texels = 0.0;            ///< CIEDE2000 from the bake's own model at most, at all coordinates
+    double of_model = 0.0;             ///< and of that model from the reference, or from twice as many nodes
+    double scale = 1.0;                ///< how many times brighter colours were shown, see display_scale()
+    std::size_t model_points = 0;      ///< at which the LUT was compared with the bake's own model
+    std::size_t reference_points = 0;  ///< at which both were compared with the independent reference
     Work work;
 };
 
-/// Fetches from the stored numbers as a shader does, and compares with Reference, at the points given and at
+/// An upper estimate of a chosen LUT's error: what it is from the bake's own model at most, at all coordinates, and
+/// what that model is from Reference, at the points where the LUT errs most and at others spread evenly; or what the
+/// LUT itself is from Reference, where that is more.
+/// @param texels  what was baked
+/// @param stored  the components as they are in the file
+/// @pre the encoding has a way back to XYZ
+Measured measure(const ChosenLut& chosen, const Image<Xyz>& texels, const Image<Rgb>& stored, const Encoding& encoding);
+
+/// The largest error found at a few points alone: fetches from the stored numbers as a shader does, and compares with
+/// Reference, at the points given and at
 /// `spread_points` more that lie between the texels all over the LUT, and at its corners. Of models whose every colour
 /// takes the reference long (irregular stacks, thick layers, thousands of layers) fewer points are looked at.
 /// @param stored    the components as they are in the file

@@ -9,20 +9,30 @@
 namespace nacre {
 namespace {
 
-// The reference solves every layer at every wavelength, several times per fringe. Up to a hundred layers and a hundred
-// fringes it takes as long as for a film (empirical).
+// The reference solves every layer at two wavelengths per nanometre, or at more than thirty per fringe, and has the
+// scalar solver confirm some (empirical: on average over the angles).
 double layered_cost(const Job& job, const Mechanism& mechanism) {
-    const double layers = expanded_layers(even_system(mechanism));
+    constexpr double least_wavelengths = 940.0;
+    constexpr double per_fringe = 32.0;
+    constexpr double with_confirmation = 4.0;
     const double fringes = fringe_count(mechanism, job.light->settings);
-    return job.sampling.thickness_samples * std::max(1.0, layers / 100.0) * std::max(1.0, fringes / 100.0);
+    return with_confirmation * std::max(least_wavelengths, per_fringe * fringes) * job.sampling.thickness_samples *
+           effort_per_sample(mechanism, job.sampling.slices);
 }
 
-// Mie's series has as many terms as the radius is long; a spread of radii counts as 96 of them (empirical).
-// On a parameter axis every point has other spheres, whose series are not kept: 50 times as much (empirical).
+// Of a spread of radii the reference has at least 12; a sphere takes as much as so many films (empirical). On a
+// parameter axis every point has other spheres, whose series are not kept: 50 times as much (empirical).
 double scattered_cost(const Job& job, const Mechanism& mechanism) {
-    const auto& scatter = std::get<Scatter>(mechanism);
-    const double cost = 1e-3 * scatter.radius_nm * (scatter.radius_spread > 0.0 ? 96.0 : 1.0);
+    constexpr double wavelengths = 470.0;
+    constexpr double of_a_sphere = 4.0;
+    const bool has_spread = std::get<Scatter>(mechanism).radius_spread > 0.0;
+    const double cost = of_a_sphere * wavelengths * (has_spread ? std::max(12.0, 2.0 * job.sampling.radii) : 1.0);
     return job.moves_material() ? 50.0 * cost : cost;
+}
+
+// The faces of a measurement's triangles are looked for at every wavelength (empirical).
+double measured_cost(const Job&, const Mechanism&) {
+    return 5e4;
 }
 
 // The compiler names a mechanism that has no row.
@@ -33,7 +43,7 @@ struct TraitsOf {
     MechanismTraits operator()(const Grating&) const { return {}; }
     MechanismTraits operator()(const Crystal&) const { return {.has_slices = true, .reference_cost = layered_cost}; }
     MechanismTraits operator()(const Scatter&) const { return {.reference_cost = scattered_cost}; }
-    MechanismTraits operator()(const MeasuredSpectra&) const { return {}; }
+    MechanismTraits operator()(const MeasuredSpectra&) const { return {.reference_cost = measured_cost}; }
 };
 
 }  // namespace

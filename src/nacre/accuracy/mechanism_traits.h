@@ -12,7 +12,7 @@ struct MechanismTraits {
     bool is_closed_form = false;
     /// Whether its index changes continuously, so that it is cut into slices.
     bool has_slices = false;
-    /// What one colour of Reference takes, in those of a film; null: as much as a film's or less.
+    /// What one colour of Reference takes, in reflectances of a film; null: so little that it does not count.
     double (*reference_cost)(const Job& job, const Mechanism& mechanism) = nullptr;
 };
 

@@ -19,24 +19,24 @@ std::vector<double> borders_of(const Job& job) {
     return curve_borders(std::move(borders));
 }
 
-std::function<bool(const Xyz&, const Xyz&)> agree_to(double tolerance, double scale) {
-    return [=](const Xyz& one, const Xyz& other) { return difference_at(one, other, scale) <= tolerance; };
+XyzCurve::Difference in_units_of(double tolerance, double scale) {
+    return [=](const Xyz& one, const Xyz& other) { return difference_at(one, other, scale) / tolerance; };
 }
 
 }  // namespace
 
 ModelCurve::ModelCurve(const Job& job, double tolerance, double scale, const AfterRow& after_step) {
     Sampler sampler(job);
-    curve_ = XyzCurve([&](double x) { return sampler.at(x); }, borders_of(job), agree_to(tolerance, scale), after_step);
+    curve_ =
+        XyzCurve([&](double x) { return sampler.at(x); }, borders_of(job), in_units_of(tolerance, scale), after_step);
     work_ = sampler.work();
 }
 
 std::optional<ModelCurve> ModelCurve::within(double most_colours, const Job& job, double tolerance, double scale,
                                              const AfterRow& after_step) {
     Sampler sampler(job);
-    const auto most_intervals = static_cast<std::int64_t>(most_colours / XyzCurve::colours_per_interval);
     std::optional<XyzCurve> curve = XyzCurve::within(
-        most_intervals, [&](double x) { return sampler.at(x); }, borders_of(job), agree_to(tolerance, scale),
+        most_colours, [&](double x) { return sampler.at(x); }, borders_of(job), in_units_of(tolerance, scale),
         after_step);
     if (!curve) return std::nullopt;
     ModelCurve result;

@@ -63,8 +63,9 @@ std::vector<Probe> probes_of(const Job& job, std::size_t band) {
 
 }  // namespace
 
-Probes make_probes(const Job& job, std::function<void()> after_step) {
-    Probes probes{job, {}, std::move(after_step)};
+Probes make_probes(const Job& job, std::function<void()> after_step, std::shared_ptr<NodeMaker> nodes) {
+    if (nodes == nullptr) nodes = std::make_shared<NodeMaker>(job.light->weights);
+    Probes probes{job, {}, std::move(after_step), std::move(nodes)};
     for (std::size_t band = 0; band < band_count; ++band) probes.bands[band] = probes_of(job, band);
     return probes;
 }
@@ -101,10 +102,6 @@ double largest_difference(const Colours& one, const Colours& other, ProbeTally& 
 SpectralSampling with_nodes(SpectralSampling sampling, const std::shared_ptr<const SpectralNodes>& nodes) {
     sampling.nodes.fill(nodes);
     return sampling;
-}
-
-std::shared_ptr<const SpectralNodes> nodes_of_count(const Light& light, int count) {
-    return std::make_shared<const SpectralNodes>(make_spectral_nodes(light.weights, count));
 }
 
 }  // namespace nacre

@@ -30,12 +30,14 @@ struct Probes {
     /// the material is.
     std::array<std::vector<Probe>, band_least_cos_theta.size()> bands;
     std::function<void()> after_step;  ///< called after every colour; what it throws ends the choice
+    std::shared_ptr<NodeMaker> nodes;  ///< of the job's light
 };
 
 /// Even points of the parameter axes (nine, or five by five), times six angles per band of incidence, or 17 even points
 /// of another quantity. In the band next to grazing there are 24 more: fringes there hit the nodes or miss them, and it
 /// takes many angles to meet a bad one.
-Probes make_probes(const Job& job, std::function<void()> after_step);
+/// @param nodes  of the job's light, to be shared; null: an own one
+Probes make_probes(const Job& job, std::function<void()> after_step, std::shared_ptr<NodeMaker> nodes = {});
 
 /// What probing took so far, and the luminance of the brightest colour that was compared. Both only grow.
 struct ProbeTally {
@@ -62,6 +64,5 @@ double largest_difference(const Colours& one, const Colours& other, ProbeTally& 
 
 /// A sampling with as many nodes in all bands.
 SpectralSampling with_nodes(SpectralSampling sampling, const std::shared_ptr<const SpectralNodes>& nodes);
-std::shared_ptr<const SpectralNodes> nodes_of_count(const Light& light, int count);
 
 }  // namespace nacre

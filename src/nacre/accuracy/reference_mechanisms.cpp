@@ -81,7 +81,8 @@ Xyz Reference::tilted(const Mechanism& mechanism, const Incidence& incidence) co
             const Xyz seen = facets_->second.at(std::sqrt(std::cos(gamma)));
             const double share = ring % 2 == 1 ? 4.0 : 2.0;
             const double share_of_seconds = ring % 2 == 1 ? 0.0 : ring % 4 == 2 ? 8.0 : 4.0;
-            for (const auto& [i, weight] : {std::pair{0, share * there}, {1, share_of_seconds * there}}) {
+            for (const auto& [i, weight] :
+                 {std::pair{std::size_t{0}, share * there}, {std::size_t{1}, share_of_seconds * there}}) {
                 add(sums[i], weight, seen);
                 visible[i] += weight;
             }

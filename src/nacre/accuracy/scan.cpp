@@ -87,11 +87,13 @@ public:
         if (!is_over()) {
             // They leave no trace: a LUT is judged alike wherever others failed.
             result_ = {};
+            points_ = 0;
             std::fill(row_.begin(), row_.end(), Cell{});
             scan_everywhere();
         }
         if (!is_over()) refine();
         result_.is_complete = !is_over();
+        result_.points = points_;
         return std::move(result_);
     }
 
@@ -107,6 +109,7 @@ private:
         Cell worst;
         for (std::size_t begin = 0; begin < points.size() && !is_over(); begin += batch_size) {
             const auto batch = points.subspan(begin, std::min(batch_size, points.size() - begin));
+            points_ += batch.size();
             const double floor = 0.5 * result_.largest;  // well below what is worth refining
             const std::vector<double> errors =
                 unrounded_ ? trial_.unrounded_errors_at(batch, floor) : trial_.errors_at(batch, floor);
@@ -248,6 +251,7 @@ private:
     int rows_;
     std::vector<Cell> row_;  // of cells, one per column
     std::vector<Cell> bad_cells_;
+    std::size_t points_ = 0;
     Scan result_;
 };
 
@@ -286,6 +290,13 @@ std::vector<double> breakpoints(const Job& job, double y) {
     constexpr double same = 1e-13;
     kinks.erase(std::unique(kinks.begin(), kinks.end(), [](double a, double b) { return b - a < same; }), kinks.end());
     return with_steep_stretches(std::move(kinks));
+}
+
+double share_found_by_scan(const Job& job) {
+    // Empirical; tests/nacre/accuracy/scan_test.cpp compares scans with plain dense ones.
+    constexpr double in_1d = 0.995;
+    constexpr double in_2d = 0.98;
+    return job.y ? in_2d : in_1d;
 }
 
 Scan scan_errors(Trial& trial, double limit, std::span<const LutPoint> first, bool unrounded) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <limits>
 #include <span>
 #include <vector>
@@ -13,6 +14,7 @@ struct Scan {
     double largest = 0.0;         ///< CIEDE2000; of the points looked at, if the scan was cut short
     LutPoint at;                  ///< of the largest
     std::vector<LutPoint> worst;  ///< the worst point of each of the worst cells, the worst of all first
+    std::size_t points = 0;       ///< that were looked at
     bool is_complete = true;      ///< false: an error above the limit was met, and the rest was not looked at
 };
 
@@ -27,6 +29,9 @@ struct Scan {
 /// @param unrounded  scan the LUT as it was before its numbers were rounded to the format
 Scan scan_errors(Trial& trial, double limit = std::numeric_limits<double>::infinity(),
                  std::span<const LutPoint> first = {}, bool unrounded = false);
+
+/// What of the largest error a scan finds at least.
+double share_found_by_scan(const Job& job);
 
 /// Coordinates on x at which the model turns sharply: picks, and angles at which a clamp begins; where these lie near
 /// each other, between and beside them too.

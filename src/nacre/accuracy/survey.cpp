@@ -15,26 +15,26 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <memory>
+#include <optional>
+#include <utility>
 
 #include "nacre/accuracy/choose_sampling.h"
 #include "nacre/accuracy/mechanism_traits.h"
+#include "nacre/accuracy/scan.h"
 #include "nacre/accuracy/trial.h"
 
 namespace nacre {
 namespace {
-
-// What is left of the bound once a scan's own error is taken off: scan_errors() may miss so much of the largest error
-// (empirical; tests/nacre/accuracy/scan_test.cpp compares it with plain dense scans).
-constexpr double scannable_share_in_1d = 0.995;
-constexpr double scannable_share_in_2d = 0.98;
 
 // Nodes err by less with every one more, and need little; the mean of uneven thicknesses converges slowly.
 constexpr double share_of_nodes = 0.08;
 constexpr double share_of_spread = 0.3;
 // Each of the other sums: directions below a base, radii, slices.
 constexpr double share_of_quadrature = 0.04;
-// The curve stands for the texels and for what they are compared with; either may be off by this.
-constexpr double share_of_curve = 0.005;
+// The curve stands for the texels and for what they are compared with. What it is tested by is the polynomial before
+// the last points were added, which errs by more.
+constexpr double share_of_curve = 0.02;
 
 // Of the bound, up to which sums and means make a LUT larger.
 constexpr double most_share_of_quadrature = 0.25;
@@ -47,15 +47,15 @@ SpectrumError spectrum_error_of(const PlannedLut& lut) {
 }
 
 // Step 1.
-void choose_sampling_of(LutSurvey& survey, bool can_judge, const AfterRow& after_step, Work& work) {
+void choose_sampling_of(LutSurvey& survey, bool can_judge, const Care& care, const AfterRow& after_step, Work& work) {
     const AccuracyRequest& request = survey.lut.request;
     Job& job = survey.lut.job;
     job.without = request.without;
     const double bound = request.max_de00;
     const bool may_drop = request.may_drop_effects && request.has_bound && can_judge;
-    const SamplingTolerance tolerance{share_of_nodes * bound, share_of_spread * bound, share_of_quadrature * bound,
+    const SamplingTolerance tolerance{tolerance_of_nodes(bound), share_of_spread * bound, share_of_quadrature * bound,
                                       may_drop ? share_of_effects * bound : 0.0};
-    ChosenSampling chosen = choose_sampling(job, tolerance, request.sampling, after_step);
+    ChosenSampling chosen = choose_sampling(job, tolerance, {request.sampling, care.least, survey.nodes}, after_step);
     job.sampling = std::move(chosen.sampling);
     job.without = chosen.without;
     survey.effects = std::move(chosen.effects);
@@ -82,10 +82,16 @@ bool is_expensive(const Job& job) {
 
 }  // namespace
 
-LutSurvey survey_lut(const PlannedLut& lut, bool can_judge, const AfterRow& after_step, Work& work) {
+double tolerance_of_nodes(double max_de00) {
+    return share_of_nodes * max_de00;
+}
+
+LutSurvey survey_lut(const PlannedLut& lut, bool can_judge, const Care& care, const AfterRow& after_step, Work& work) {
     LutSurvey survey;
     survey.lut = lut;
-    choose_sampling_of(survey, can_judge, after_step, work);
+    survey.share_of_texels = care.share_of_texels;
+    survey.nodes = std::make_shared<NodeMaker>(lut.job.light->weights);
+    choose_sampling_of(survey, can_judge, care, after_step, work);
     if (!can_judge) return survey;
     const Job& job = survey.lut.job;
     const double bound = lut.request.max_de00;
@@ -97,29 +103,30 @@ LutSurvey survey_lut(const PlannedLut& lut, bool can_judge, const AfterRow& afte
     const Image<Xyz> colours = bake(sample, {}, &work);
     survey.scale = display_scale(colours);
     if (job.light->settings.wavelengths) {
-        const SamplingTolerance tolerance{share_of_nodes * bound, 0.0, share_of_quadrature * bound, 0.0};
+        const SamplingTolerance tolerance{tolerance_of_nodes(bound), 0.0, share_of_quadrature * bound, 0.0};
         const Image<Xyz> truth = bake(integrated_job(sample, tolerance), {}, &work);
         survey.scale = display_scale(truth);
         survey.known.spectrum = std::max(survey.known.spectrum, error_of_wavelengths(truth, colours, survey.scale));
     } else if (!survey.is_2d() && is_expensive(job)) {
-        survey.curve = ModelCurve::within(survey.effort.most_curve_colours(), job, share_of_curve * bound, survey.scale,
-                                          after_step);
+        std::optional<ModelCurve> curve = ModelCurve::within(survey.effort.most_curve_colours(), job,
+                                                             share_of_curve * bound, survey.scale, after_step);
+        if (curve) survey.curve = std::make_shared<const ModelCurve>(std::move(*curve));
         if (survey.curve) work += survey.curve->work();
     }
     return survey;
 }
 
 double scannable_bound(const LutSurvey& survey) {
-    return (survey.is_2d() ? scannable_share_in_2d : scannable_share_in_1d) * survey.lut.request.max_de00;
+    return share_found_by_scan(survey.lut.job) * survey.lut.request.max_de00;
 }
 
 double scan_limit(const LutSurvey& survey) {
     const double bound = scannable_bound(survey);
     const ErrorSplit& known = survey.known;
-    const double of_curve = survey.curve ? 2.0 * share_of_curve * survey.lut.request.max_de00 : 0.0;
+    const double of_curve = survey.curve ? share_of_curve * survey.lut.request.max_de00 : 0.0;
     const double rest = bound - of_curve - known.effects - std::min(known.quadrature, most_share_of_quadrature * bound);
-    if (survey.spectrum_error != SpectrumError::beside_scan) return rest;
-    return rest - known.spectrum - std::min(known.spread, most_share_of_spread * bound);
+    if (survey.spectrum_error != SpectrumError::beside_scan) return survey.share_of_texels * rest;
+    return survey.share_of_texels * (rest - known.spectrum - std::min(known.spread, most_share_of_spread * bound));
 }
 
 double total_error(const LutSurvey& survey, double scanned) {

@@ -1,8 +1,10 @@
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <vector>
 
+#include "nacre/accuracy/care.h"
 #include "nacre/accuracy/choose_effects.h"
 #include "nacre/accuracy/effort.h"
 #include "nacre/accuracy/error_split.h"
@@ -26,20 +28,26 @@ struct LutSurvey {
     std::vector<EffectChoice> effects;  ///< those of the material, and what became of each
     ErrorSplit known;                   ///< what no size helps against: spectrum, spread, quadrature, effects
     SpectrumError spectrum_error = SpectrumError::in_scan;
-    double scale = 1.0;               ///< how many times brighter the LUT is shown
-    std::optional<ModelCurve> curve;  ///< the colours of a 1D LUT, where they are expensive
-    Effort effort;                    ///< what the search may take
+    double scale = 1.0;                       ///< how many times brighter the LUT is shown
+    std::shared_ptr<const ModelCurve> curve;  ///< the colours of a 1D LUT, where they are expensive; null: none
+    Effort effort;                            ///< what the search may take
+    double share_of_texels = 1.0;             ///< see Care
+    std::shared_ptr<NodeMaker> nodes;         ///< of the job's light
 
     bool is_2d() const { return lut.job.y.has_value(); }
 };
 
 /// @param can_judge   whether the colour space has an inverse, so that errors in it can be known; else all effects stay
 ///                    and nothing but the sampling is found
+/// @param care        how much more careful than usual the LUT is chosen
 /// @param after_step  called every few colours; what it throws ends the survey
 /// @param work        what it takes is added
-LutSurvey survey_lut(const PlannedLut& lut, bool can_judge, const AfterRow& after_step, Work& work);
+LutSurvey survey_lut(const PlannedLut& lut, bool can_judge, const Care& care, const AfterRow& after_step, Work& work);
 
-/// The part of the bound that an error may fill which a scan finds: what a scan misses between its points is taken off.
+/// What nodes may err by at probes.
+double tolerance_of_nodes(double max_de00);
+
+/// The part of the bound that an error may fill which a scan finds.
 double scannable_bound(const LutSurvey& survey);
 
 /// The largest error that a scan of a LUT may find. Errors that no larger LUT helps against are taken off up to a part

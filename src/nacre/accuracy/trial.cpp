@@ -73,8 +73,8 @@ Trial::Trial(const Job& job, PixelFormat format, const Encoding& encoding, bool 
       encoding_(encoding),
       after_step_(std::move(after_step)),
       scale_(scale),
-      model_(model_job_),
       curve_(curve) {
+    if (curve_ == nullptr) model_.emplace(model_job_);
     const Image<Xyz> texels = curve_ != nullptr ? texels_of(*curve_, job_.width) : baked_texels(known);
     exact_ = encoding.to_rgb(texels);
     if (scale_ == 0.0)
@@ -92,8 +92,18 @@ Trial::Trial(const Job& job, Image<Rgb> stored, const Encoding& encoding, std::f
       stored_(std::move(stored)),
       fetch_at_(std::move(fetch_at)),
       scale_(display_scale(encoding.keeps_colours ? bake(model_job_)
-                                                  : encoding.to_xyz(encoding.to_rgb(bake(model_job_))))),
-      model_(model_job_) {}
+                                                  : encoding.to_xyz(encoding.to_rgb(bake(model_job_))))) {
+    model_.emplace(model_job_);
+}
+
+Trial::Trial(const Job& job, Image<Rgb> stored, const Encoding& encoding, const ModelCurve& curve, double scale)
+    : job_(job),
+      model_job_(job),
+      encoding_(encoding),
+      exact_(stored),
+      stored_(std::move(stored)),
+      scale_(scale),
+      curve_(&curve) {}
 
 Image<Xyz> Trial::baked_texels(TexelsOfWidths* known) {
     if (known == nullptr) return bake(job_, after_step_, &work_);
@@ -105,7 +115,7 @@ Image<Xyz> Trial::baked_texels(TexelsOfWidths* known) {
 Image<Xyz> Trial::model_at(std::span<const LutPoint> points) {
     Image<Xyz> model(static_cast<int>(points.size()), 1);
     std::transform(points.begin(), points.end(), model.begin(), [&](LutPoint point) {
-        return curve_ != nullptr ? curve_->at(point.x) : model_.at(point.x, point.y);
+        return curve_ != nullptr ? curve_->at(point.x) : model_->at(point.x, point.y);
     });
     return encoding_.keeps_colours ? model : encoding_.to_xyz(encoding_.to_rgb(model));
 }
@@ -147,7 +157,7 @@ double Trial::storage_error() const {
 
 Work Trial::work() const {
     Work sum = work_;
-    sum += model_.work();
+    if (model_) sum += model_->work();
     return sum;
 }
 

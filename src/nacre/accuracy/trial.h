@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <map>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -45,6 +46,11 @@ public:
     /// @param fetch_at  where a shader that means a point really fetches; empty: there
     Trial(const Job& job, Image<Rgb> stored, const Encoding& encoding, std::function<LutPoint(LutPoint)> fetch_at,
           AfterRow after_step = {});
+    /// A finished LUT, held against the curve of its job's colours.
+    Trial(const Job& job, Image<Rgb> stored, const Encoding& encoding, const ModelCurve& curve, double scale);
+    // Its sampler refers to its job.
+    Trial(const Trial&) = delete;
+    Trial& operator=(const Trial&) = delete;
 
     /// Error of what a shader fetches from the stored numbers, per point; those that cannot exceed `floor` may come out
     /// as `floor`.
@@ -72,8 +78,8 @@ private:
     Image<Rgb> stored_;  // and after
     std::function<LutPoint(LutPoint)> fetch_at_;
     double scale_;
-    Sampler model_;
     const ModelCurve* curve_ = nullptr;
+    std::optional<Sampler> model_;  // where there is no curve
     Work work_;
 };
 

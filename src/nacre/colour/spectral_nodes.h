@@ -1,5 +1,7 @@
 #pragma once
 
+#include <map>
+#include <memory>
 #include <vector>
 
 #include "nacre/base/spectrum.h"
@@ -24,11 +26,32 @@ struct SpectralNodes {
 /// Comp. 32, 1). Interference fringes are even in wavenumber, so a spectrum with F of them needs little more than pi *
 /// F nodes, beyond which the error falls by a factor per node. A spectrum of ones has Y = 1 to rounding.
 ///
-/// More than `most_nodes_per_panel` are spread over several even panels of the wavenumber.
+/// More than `most_nodes_of_one_panel` are spread over 4, 8, 16, ... even panels of the wavenumber, up to
+/// `most_nodes_per_panel` in each: making them takes as long as there are nodes in a panel.
 /// @param count  >= 2
 SpectralNodes make_spectral_nodes(const TristimulusWeights& weights, int count);
 
-inline constexpr int most_nodes_per_panel = 192;
+inline constexpr int most_nodes_of_one_panel = 192;
+inline constexpr int most_nodes_per_panel = 64;
+
+/// Makes nodes of many counts for the same weights, and keeps them. What takes longest is the same for all counts that
+/// are spread over as many panels.
+class NodeMaker {
+public:
+    /// @param weights  have to outlive it
+    explicit NodeMaker(const TristimulusWeights& weights) : weights_(&weights) {}
+
+    /// What make_spectral_nodes() makes. @param count  >= 2
+    std::shared_ptr<const SpectralNodes> of(int count);
+
+private:
+    class Moments;
+    const std::vector<Moments>& moments(int panels, int degrees);
+
+    const TristimulusWeights* weights_;
+    std::map<int, std::shared_ptr<const std::vector<Moments>>> moments_;  // by the number of panels
+    std::map<int, std::shared_ptr<const SpectralNodes>> nodes_;
+};
 
 /// Nodes for a sum over an even grid (trapezium rule).
 SpectralNodes make_spectral_nodes(const GridWeights& weights, const WavelengthGrid& grid);

@@ -1,7 +1,6 @@
 #include "nacre/colour/xyz_curve.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -11,12 +10,17 @@
 namespace nacre {
 namespace {
 
-constexpr int degree_count = 10;
-// Where a panel is tried: between nodes, in the middle and near the ends, where polynomials fail first.
-constexpr std::array tried_at{-0.97, -0.55, 0.07, 0.62, 0.96};
+// Degrees of polynomials, from the first that is tried to the last. Chosen: two panels of 32 take fewer colours than
+// one of 64 where a colour does not bend alike everywhere.
+constexpr std::size_t least_degree = 4;
+constexpr std::size_t most_degree = 32;
+// A polynomial that converges errs by far less with twice the points; where it errs by more than this part, halves of
+// the interval will.
+constexpr double least_gain = 0.2;
 // Narrower intervals are accepted as they are: the colour has a kink there that is not among the borders.
 constexpr double narrowest = 1e-4;
-static_assert(XyzCurve::colours_per_interval == degree_count + tried_at.size());
+// So far from a border, in lengths of the interval, a colour is taken to be the one at the border on that side.
+constexpr double beside_border = 1e-9;
 
 Xyz plus(const Xyz& sum, double factor, const Xyz& term) {
     return {sum.x + factor * term.x, sum.y + factor * term.y, sum.z + factor * term.z};
@@ -34,61 +38,117 @@ Xyz value_at(const std::vector<Xyz>& coefficients, double t) {
     return plus(plus(coefficients[0], t, one), -1.0, two);
 }
 
-std::vector<Xyz> interpolate(const XyzCurve::Colour& colour, double from, double to) {
-    std::array<Xyz, degree_count> values;
-    for (int j = 0; j < degree_count; ++j) {
-        const double t = std::cos(std::numbers::pi * (j + 0.5) / degree_count);
-        values[static_cast<std::size_t>(j)] = colour(std::lerp(from, to, 0.5 + 0.5 * t));
-    }
-    std::vector<Xyz> coefficients(degree_count);
-    for (int n = 0; n < degree_count; ++n) {
-        for (int j = 0; j < degree_count; ++j) {
-            const double share =
-                (n == 0 ? 1.0 : 2.0) / degree_count * std::cos(std::numbers::pi * n * (j + 0.5) / degree_count);
-            auto& coefficient = coefficients[static_cast<std::size_t>(n)];
-            coefficient = plus(coefficient, share, values[static_cast<std::size_t>(j)]);
+// Chebyshev's points, from 1 down to -1. @param j  0 ... degree
+double point(std::size_t j, std::size_t degree) {
+    return std::cos(std::numbers::pi * static_cast<double>(j) / static_cast<double>(degree));
+}
+
+// Of the polynomial through values at these points: a discrete cosine transform.
+std::vector<Xyz> coefficients_of(const std::vector<Xyz>& values) {
+    const std::size_t degree = values.size() - 1;
+    std::vector<double> cosines(2 * degree);
+    for (std::size_t i = 0; i < cosines.size(); ++i) cosines[i] = point(i, degree);
+    std::vector<Xyz> coefficients(values.size());
+    for (std::size_t n = 0; n <= degree; ++n) {
+        for (std::size_t j = 0; j <= degree; ++j) {
+            const double share = (j == 0 || j == degree ? 0.5 : 1.0) * (n == 0 || n == degree ? 1.0 : 2.0);
+            coefficients[n] =
+                plus(coefficients[n], share / static_cast<double>(degree) * cosines[n * j % (2 * degree)], values[j]);
         }
     }
     return coefficients;
 }
 
+// The colours of one interval at Chebyshev's points, from its end to its beginning.
+struct Interval {
+    double from = 0.0;
+    double to = 1.0;
+    std::vector<Xyz> values;
+
+    double x(double t) const { return std::lerp(from, to, 0.5 + 0.5 * t); }
+
+    // Twice as many points. Returns the largest difference of the new ones from the polynomial of the old ones.
+    double refine(const XyzCurve::Colour& colour, const XyzCurve::Difference& difference) {
+        const std::vector<Xyz> coarse = coefficients_of(values);
+        const std::size_t degree = 2 * (values.size() - 1);
+        std::vector<Xyz> finer;
+        double largest = 0.0;
+        for (std::size_t j = 0; j <= degree; ++j) {
+            if (j % 2 == 0) {
+                finer.push_back(values[j / 2]);
+                continue;
+            }
+            const double t = point(j, degree);
+            finer.push_back(colour(x(t)));
+            const double error = difference(value_at(coarse, t), finer.back());
+            largest = std::isnan(error) ? std::numeric_limits<double>::infinity() : std::max(largest, error);
+        }
+        values = std::move(finer);
+        return largest;
+    }
+};
+
+Interval interval_of(double from, double to, const Xyz& at_from, const Xyz& at_to, const XyzCurve::Colour& colour) {
+    Interval interval{from, to, {at_to}};
+    for (std::size_t j = 1; j < least_degree; ++j)
+        interval.values.push_back(colour(interval.x(point(j, least_degree))));
+    interval.values.push_back(at_from);
+    return interval;
+}
+
+// Whether the interval's polynomial came to agree.
+bool converge(Interval& interval, const XyzCurve::Colour& colour, const XyzCurve::Difference& difference) {
+    double before = std::numeric_limits<double>::infinity();
+    while (interval.values.size() <= most_degree) {
+        const double error = interval.refine(colour, difference);
+        if (error <= 1.0) return true;
+        if (error > least_gain * before) return false;
+        // The first few points say little of what more will do.
+        if (interval.values.size() > 2 * least_degree + 1) before = error;
+    }
+    return false;
+}
+
 }  // namespace
 
-XyzCurve::XyzCurve(const Colour& colour, const std::vector<double>& borders, const Agrees& agrees,
+XyzCurve::XyzCurve(const Colour& colour, const std::vector<double>& borders, const Difference& difference,
                    const std::function<void()>& after_step) {
-    fit(std::numeric_limits<std::int64_t>::max(), colour, borders, agrees, after_step);
+    *this = *within(std::numeric_limits<double>::infinity(), colour, borders, difference, after_step);
 }
 
-std::optional<XyzCurve> XyzCurve::within(std::int64_t most_intervals, const Colour& colour,
-                                         const std::vector<double>& borders, const Agrees& agrees,
+std::optional<XyzCurve> XyzCurve::within(double most_colours, const Colour& colour_at,
+                                         const std::vector<double>& borders, const Difference& difference,
                                          const std::function<void()>& after_step) {
     XyzCurve curve;
-    if (!curve.fit(most_intervals, colour, borders, agrees, after_step)) return std::nullopt;
-    return curve;
-}
-
-bool XyzCurve::fit(std::int64_t most_intervals, const Colour& colour, const std::vector<double>& borders,
-                   const Agrees& agrees, const std::function<void()>& after_step) {
-    std::int64_t tried = 0;
-    std::vector<double> ends(borders.rbegin(), borders.rend() - 1);  // still to come, the next one last
-    double from = borders.front();
-    while (!ends.empty()) {
-        if (++tried > most_intervals) return false;
-        const double to = ends.back();
-        std::vector<Xyz> coefficients = interpolate(colour, from, to);
-        const bool is_good = std::all_of(tried_at.begin(), tried_at.end(), [&](double t) {
-            return agrees(value_at(coefficients, t), colour(std::lerp(from, to, 0.5 + 0.5 * t)));
-        });
-        if (after_step) after_step();
-        if (!is_good && to - from > narrowest) {
-            ends.push_back(0.5 * (from + to));
-            continue;
+    double colours = 0.0;
+    const Colour colour = [&](double x) {
+        ++curve.colours_;
+        return colour_at(x);
+    };
+    for (std::size_t i = 1; i < borders.size(); ++i) {
+        // The colour may jump at a border, and what it is there belongs to one side only.
+        const double inside = beside_border * (borders[i] - borders[i - 1]);
+        double from = borders[i - 1];
+        Xyz at_from = colour(from + inside);
+        std::vector<std::pair<double, Xyz>> ends{{borders[i], colour(borders[i] - inside)}};  // the next one last
+        while (!ends.empty()) {
+            if (colours > most_colours) return std::nullopt;
+            const auto [to, at_to] = ends.back();
+            Interval interval = interval_of(from, to, at_from, at_to, colour);
+            const bool is_good = converge(interval, colour, difference);
+            colours += static_cast<double>(interval.values.size());
+            if (after_step) after_step();
+            if (!is_good && to - from > narrowest) {
+                ends.emplace_back(0.5 * (from + to), interval.values[interval.values.size() / 2]);
+                continue;
+            }
+            curve.panels_.push_back({to, coefficients_of(interval.values)});
+            from = to;
+            at_from = at_to;
+            ends.pop_back();
         }
-        panels_.push_back({to, std::move(coefficients)});
-        from = to;
-        ends.pop_back();
     }
-    return true;
+    return curve;
 }
 
 Xyz XyzCurve::at(double x) const {
@@ -105,8 +165,8 @@ std::vector<double> XyzCurve::borders() const {
 }
 
 std::vector<double> curve_borders(std::vector<double> borders) {
-    constexpr int even = 8;
-    for (int i = 0; i <= even; ++i) borders.push_back(static_cast<double>(i) / even);
+    borders.push_back(0.0);
+    borders.push_back(1.0);
     std::sort(borders.begin(), borders.end());
     borders.erase(std::unique(borders.begin(), borders.end(), [](double a, double b) { return b - a < narrowest; }),
                   borders.end());

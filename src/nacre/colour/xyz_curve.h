@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <optional>
@@ -12,41 +13,38 @@ namespace nacre {
 /// A colour that depends on one number in [0, 1], as polynomials: for colours that take microseconds to seconds to
 /// compute and are needed thousands of times.
 ///
-/// Chebyshev interpolation on intervals that are halved until new points agree.
+/// Interpolation at Chebyshev's points, whose number is doubled until the new points lie on the polynomial of the old
+/// ones; no colour is computed twice. Intervals where that does not converge are halved.
 class XyzCurve {
 public:
     using Colour = std::function<Xyz(double)>;
-    using Agrees = std::function<bool(const Xyz&, const Xyz&)>;
+    /// How far an interpolated colour is from the true one, in units of what is allowed: up to 1 it is as good.
+    using Difference = std::function<double(const Xyz& interpolated, const Xyz& meant)>;
 
     XyzCurve() = default;
     /// @param borders  ascending, the first 0 and the last 1: where intervals begin; at least wherever the colour has a
     /// kink
-    /// @param agrees   whether an interpolated colour is as good as the true one
-    /// @param after_step  called once per interval that was tried; an exception from it ends the search
-    XyzCurve(const Colour& colour, const std::vector<double>& borders, const Agrees& agrees,
+    /// @param after_step  called after every few colours; an exception from it ends the search
+    XyzCurve(const Colour& colour, const std::vector<double>& borders, const Difference& difference,
              const std::function<void()>& after_step = {});
-    /// The same, or none if more than `most_intervals` would have to be tried.
-    static std::optional<XyzCurve> within(std::int64_t most_intervals, const Colour& colour,
-                                          const std::vector<double>& borders, const Agrees& agrees,
-                                          const std::function<void()>& after_step = {});
-    /// What an interval asks for at most.
-    static constexpr int colours_per_interval = 15;
+    /// The same, or none if about `most_colours` have been computed before it is made.
+    static std::optional<XyzCurve> within(double most_colours, const Colour& colour, const std::vector<double>& borders,
+                                          const Difference& difference, const std::function<void()>& after_step = {});
 
     Xyz at(double x) const;
     /// Ascending, the first 0 and the last 1: between them it is a polynomial.
     std::vector<double> borders() const;
     bool is_made() const { return !panels_.empty(); }
+    /// That were computed to make it.
+    std::size_t colours() const { return colours_; }
 
 private:
-    // Returns false if it gave up.
-    bool fit(std::int64_t most_intervals, const Colour& colour, const std::vector<double>& borders,
-             const Agrees& agrees, const std::function<void()>& after_step);
-
     struct Panel {
         double to;                      // from where the one before ends
         std::vector<Xyz> coefficients;  // of the Chebyshev polynomials
     };
     std::vector<Panel> panels_;
+    std::size_t colours_ = 0;
 };
 
 /// Ascending, ends added, and without those that lie closer together than a curve resolves.

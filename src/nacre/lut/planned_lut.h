@@ -53,6 +53,10 @@ struct PlannedLut {
 /// Bounds that a user may give: below the least, single precision drowns in its own rounding.
 inline constexpr Allowed allowed_max_de00{1e-5, 100.0};
 
+/// A size that suits most materials, where none can be chosen by its error.
+inline constexpr int usual_lut_width = 256;
+inline constexpr int usual_lut_height = 64;
+
 /// The longest side of a LUT, in texels.
 inline constexpr int largest_lut_size = 4096;
 

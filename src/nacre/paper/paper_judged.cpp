@@ -94,7 +94,8 @@ std::vector<Xyz> colours_at_degrees(const Mechanism& mechanism, const std::share
     constexpr double tolerance = 1e-2;
     const int samples = is_irregular(mechanism) ? band_thickness_samples : 0;
     job.sampling =
-        choose_sampling(job, {tolerance, tolerance, tolerance, 0.0}, {.thickness_samples = samples}).sampling;
+        choose_sampling(job, {tolerance, tolerance, tolerance, 0.0}, {.counts = {.thickness_samples = samples}})
+            .sampling;
     const Image<Xyz> image = bake(job);
     std::vector<Xyz> colours;
     for (int i = 0; i < degrees_count; ++i) colours.push_back(image.at(i, 0));

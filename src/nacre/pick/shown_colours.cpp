@@ -65,7 +65,10 @@ int nm_per_piece(const Grating& grating, const LightSettings& light, const Sampl
 }  // namespace
 
 ShownColours::ShownColours(const Light& light, std::vector<Geometry> places)
-    : light_(light), places_(std::move(places)) {}
+    : light_(light), places_(std::move(places)), nodes_(light.weights) {
+    if (light.settings.wavelengths)
+        grid_nodes_ = std::make_shared<const SpectralNodes>(make_spectral_nodes(light.grid_weights, light.grid));
+}
 
 SearchSampling ShownColours::sampling_for(const Mechanism& mechanism, SearchDetail detail, int times) {
     SearchSampling sampling;
@@ -81,18 +84,10 @@ SearchSampling ShownColours::sampling_for(const Mechanism& mechanism, SearchDeta
     SpectralSampling& spectra = sampling.spectra;
     if (const auto* crystal = std::get_if<Crystal>(&mechanism)) spectra.slices = slices_of(*crystal, rule);
     if (is_irregular(mechanism)) spectra.thickness_samples = rule.samples;
-    int count = 0;  // of nodes; 0: the scene's own
-    if (!light_.settings.wavelengths) {
-        const double wanted =
-            times * (rule.fewest_nodes + rule.nodes_per_fringe * fringe_count(mechanism, light_.settings));
-        count = std::min(rule.most_nodes, rounded_up(static_cast<int>(std::min(wanted, 1e6))));
-    }
-    auto& nodes = nodes_[count];
-    if (!nodes) {
-        nodes = std::make_shared<const SpectralNodes>(count == 0 ? make_spectral_nodes(light_.grid_weights, light_.grid)
-                                                                 : make_spectral_nodes(light_.weights, count));
-    }
-    spectra.nodes.fill(nodes);
+    const double wanted =
+        times * (rule.fewest_nodes + rule.nodes_per_fringe * fringe_count(mechanism, light_.settings));
+    const int count = std::min(rule.most_nodes, rounded_up(static_cast<int>(std::min(wanted, 1e6))));
+    spectra.nodes.fill(grid_nodes_ != nullptr ? grid_nodes_ : nodes_.of(count));
     return sampling;
 }
 

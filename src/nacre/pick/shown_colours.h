@@ -41,7 +41,8 @@ public:
 private:
     const Light& light_;
     std::vector<Geometry> places_;
-    std::map<int, std::shared_ptr<const SpectralNodes>> nodes_;
+    NodeMaker nodes_;
+    std::shared_ptr<const SpectralNodes> grid_nodes_;             // where the scene gives its wavelengths
     std::map<int, std::shared_ptr<const GratingPieces>> pieces_;  // by their nanometres
 };
 

@@ -217,11 +217,11 @@ XyzCurve facet_curve(const std::function<Xyz(const Incidence&)>& colour, const s
     for (const double bend_deg : kinks_deg)
         borders.push_back(std::clamp(std::sqrt(Incidence::from_degrees(bend_deg).cos_theta), 0.0, 1.0));
     for (const double cos_theta : band_least_cos_theta) borders.push_back(std::sqrt(cos_theta));
-    const auto agrees = [&](const Xyz& one, const Xyz& other) {
+    const auto difference = [&](const Xyz& one, const Xyz& other) {
         brightest = std::max(brightest, other.y);
-        return difference_at(one, other, display_scale(brightest)) <= facet_curve_error;
+        return difference_at(one, other, display_scale(brightest)) / facet_curve_error;
     };
-    return XyzCurve(at, curve_borders(std::move(borders)), agrees, after_step);
+    return XyzCurve(at, curve_borders(std::move(borders)), difference, after_step);
 }
 
 }  // namespace nacre

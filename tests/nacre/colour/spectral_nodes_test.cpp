@@ -162,8 +162,8 @@ TEST(SpectralNodes, MoreThanOnePanelHoldsIsSpreadOverSeveral) {
             const Curve curve = fringes(path_nm);
             const double count = fringe_count(path_nm, weights);
             const Xyz exact = dense_integral(weights, curve, 4 + static_cast<int>(path_nm / 50000.0));
-            const int nodes = std::max(most_nodes_per_panel + 1, static_cast<int>(4.5 * count));
-            EXPECT_GT(nodes, most_nodes_per_panel);
+            const int nodes = std::max(most_nodes_of_one_panel + 1, static_cast<int>(5.0 * count));
+            EXPECT_GT(nodes, most_nodes_of_one_panel);
             EXPECT_LT(distance(sum_over(make_spectral_nodes(weights, nodes), curve), exact), 1e-9)
                 << illuminant << " " << path_nm;
         }

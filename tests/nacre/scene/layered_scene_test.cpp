@@ -321,7 +321,7 @@ TEST(LayeredHeader, SaysWhereSpectraWereSampled) {
         PlannedLut& lut = plan.luts[0];
         ASSERT_GT(lut.request.sampling.nodes.front(), 0);
         EXPECT_EQ(lut.request.sampling.thickness_samples, 16);
-        lut.job.sampling = choose_sampling(lut.job, {1e-3, 0.1}, lut.request.sampling).sampling;
+        lut.job.sampling = choose_sampling(lut.job, {1e-3, 0.1}, {.counts = lut.request.sampling}).sampling;
         const std::string header = scene_toml(lut);
         const Plan again = plan_of(folder, header);
         EXPECT_EQ(again.luts[0].request.sampling.nodes, lut.request.sampling.nodes) << header;

@@ -249,12 +249,12 @@ TEST(SpectralSampling, RequestedNodesAreTakenAndTheirErrorIsTold) {
     const Job job = job_of(film_of(1000.0, 1.8));
     SamplingCounts few;
     few.nodes = {8, 8, 12, 16};
-    const ChosenSampling coarse = choose_sampling(job, tolerance_of(1e-3), few);
+    const ChosenSampling coarse = choose_sampling(job, tolerance_of(1e-3), {.counts = few});
     EXPECT_EQ(coarse.sampling.counts().nodes, few.nodes);
     EXPECT_GT(coarse.error, 0.1);
     SamplingCounts many;
     many.nodes = {96, 192, 1024, 16384};
-    const ChosenSampling fine = choose_sampling(job, tolerance_of(1e-3), many);
+    const ChosenSampling fine = choose_sampling(job, tolerance_of(1e-3), {.counts = many});
     EXPECT_EQ(fine.sampling.counts().nodes, many.nodes);
     EXPECT_LT(fine.error, 1e-2);
 }
@@ -271,7 +271,7 @@ TEST(SpectralSampling, AnIrregularStackIsAMeanOverRealisations) {
     EXPECT_EQ(chosen.sampling.thickness_samples % 2, 0);
     SamplingCounts request;
     request.thickness_samples = 6;
-    const ChosenSampling requested = choose_sampling(job_of(rough), tolerance_of(1e-3), request);
+    const ChosenSampling requested = choose_sampling(job_of(rough), tolerance_of(1e-3), {.counts = request});
     EXPECT_EQ(requested.sampling.thickness_samples, 6);
     EXPECT_GT(requested.spread_error, 0.0);
 }

@@ -21,10 +21,10 @@ constexpr double rad_per_deg = std::numbers::pi / 180.0;
 
 // Exact to 1e-13 for what is smooth.
 XyzCurve curve_of(const std::function<Xyz(double cos_theta)>& colour, std::vector<double> borders = {}) {
-    const auto agrees = [](const Xyz& one, const Xyz& other) {
-        return std::max({std::abs(one.x - other.x), std::abs(one.y - other.y), std::abs(one.z - other.z)}) < 1e-12;
+    const auto difference = [](const Xyz& one, const Xyz& other) {
+        return std::max({std::abs(one.x - other.x), std::abs(one.y - other.y), std::abs(one.z - other.z)}) / 1e-12;
     };
-    return XyzCurve([&](double s) { return colour(s * s); }, curve_borders(std::move(borders)), agrees);
+    return XyzCurve([&](double s) { return colour(s * s); }, curve_borders(std::move(borders)), difference);
 }
 
 // Smooth, steep and rippled.

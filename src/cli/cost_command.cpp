@@ -55,8 +55,10 @@ int run_cost(const CostOptions& options, Console& console) {
     const double bound = options.accuracy > 0.0 ? options.accuracy : lut.request.max_de00;
     const Encoding encoding = lut_encoding(space, lut.colour.gamut);
     const std::vector<CostRow> rows = measure_costs(lut, encoding, bound, execution_on(1, console));
-    const std::string comment = "What accuracy costs: LUT " + lut.name +
-                                ", one thread; time to compute, convert and round all texels, median of repeated runs";
+    const std::string comment =
+        "What accuracy costs: LUT " + lut.name +
+        ", seconds of one thread, medians of repeated runs: to compute, convert and round all texels; to "
+        "decide on size, format and sampling; to measure the error";
     if (!options.folder.empty()) {
         OutputFolder folder(options.folder);
         for (const auto& [name, bytes] : cost_picture(rows, lut.name + "_cost", lut.name, bound, comment)) {
@@ -91,10 +93,14 @@ Command cost_command() {
     command.footer =
         "\nMakes one LUT in about sixty ways. Each row shows the error of its colours (CIEDE2000, the largest error "
         "of\n"
-        "what a shader can fetch) and the time that one thread took to make it. The ways are nacre's own choice for\n"
-        "bounds from 5 to 0.002; sums over every 1 to 20 nm, analytic fits of the CIE observer, three wavelengths;\n"
-        "fixed sizes on every axis; common mistakes; and every effect of the material switched off in turn. The last\n"
-        "column adds the time that nacre needs to choose size, format and sampling and to measure the error.\n"
+        "what a shader can fetch) and the time that one thread computed. The ways are nacre's own choice for bounds\n"
+        "from 5 to 0.002; sums over every 1 to 20 nm, analytic fits of the CIE observer, three wavelengths; fixed\n"
+        "sizes on every axis; common mistakes; and every effect of the material switched off in turn.\n"
+        "\n"
+        "Times are medians of repeated runs. Computing is all of the texels, converted and rounded; deciding is on\n"
+        "size, format and sampling; measuring is the check that tells the error. Only nacre's choice decides "
+        "anything:\n"
+        "the other ways get the sampling that nacre found for the bound, and have to be checked like every LUT.\n"
         "The picture needs gnuplot (Debian package gnuplot-nox).\n\nExample:\n"
         "  nacre cost configs/scenes/morpho.toml -o out\n";
     command.run = [options](Console& console) { return run_cost(*options, console); };

@@ -65,32 +65,35 @@ std::vector<std::string> cost_lines(const std::vector<CostRow>& rows) {
             std::none_of(rows.begin(), rows.end(), [&](const CostRow& row) { return row.cost.family == text.family; });
         if (is_empty) continue;
         if (!cells.empty()) cells.emplace_back();
-        cells.push_back(
-            {std::string(text.heading), "x", "texels", "format", "size", "dE00", "bake time", "with choosing"});
+        cells.push_back({std::string(text.heading), "x", "texels", "format", "size", "dE00", "computing", "deciding",
+                         "measuring", "all in all"});
         for (const CostRow& row : rows) {
             const CostCase& cost = row.cost;
             if (cost.family != text.family) continue;
             cells.push_back({"  " + cost.label + (cost.is_reached ? "" : " (not reached)"), cost.axis,
                              size_text(cost.job), cost.format, bytes_text(cost.bytes), short_number(row.de00),
-                             duration_text(row.seconds),
-                             cost.family == CostFamily::choice ? duration_text(row.all_seconds) : ""});
+                             duration_text(row.computing_seconds),
+                             row.deciding_seconds > 0.0 ? duration_text(row.deciding_seconds) : "",
+                             duration_text(row.measuring_seconds), duration_text(row.all_seconds())});
         }
     }
-    return table_lines(cells, {false, false, true, false, true, true, true, true});
+    return table_lines(cells, {false, false, true, false, true, true, true, true, true, true});
 }
 
 std::string cost_csv(const std::vector<CostRow>& rows, const std::string& comment) {
-    std::string text =
-        "# " + comment +
-        "\nfamily,label,axis,format,width,height,bytes,bound,de00,seconds,all_seconds,predicted_de00,mark\n";
+    std::string text = "# " + comment +
+                       "\nfamily,label,axis,format,width,height,bytes,bound,de00,computing_seconds,deciding_seconds,"
+                       "measuring_seconds,all_seconds,predicted_de00,mark\n";
     for (std::size_t i = 0; i < rows.size(); ++i) {
         const CostRow& row = rows[i];
         const CostCase& cost = row.cost;
         text += std::string(family_name(cost.family)) + "," + cost.label + "," + cost.axis + "," + cost.format + "," +
                 std::to_string(cost.job.width) + "," + std::to_string(cost.job.height) + "," +
                 std::to_string(cost.bytes) + "," + (cost.bound > 0.0 ? number_text(cost.bound) : "") + "," +
-                number_text(row.de00) + "," + number_text(row.seconds) + "," + number_text(row.all_seconds) + "," +
-                (cost.predicted > 0.0 ? number_text(cost.predicted) : "") + "," + mark_of(rows, i) + "\n";
+                number_text(row.de00) + "," + number_text(row.computing_seconds) + "," +
+                number_text(row.deciding_seconds) + "," + number_text(row.measuring_seconds) + "," +
+                number_text(row.all_seconds()) + "," + (cost.predicted > 0.0 ? number_text(cost.predicted) : "") + "," +
+                mark_of(rows, i) + "\n";
     }
     return text;
 }
@@ -107,12 +110,14 @@ Json cost_json(const std::vector<CostRow>& rows) {
                    {"height", cost.job.height},
                    {"bytes", cost.bytes},
                    {"de00", row.de00},
-                   {"seconds", row.seconds}};
+                   {"computing_seconds", row.computing_seconds},
+                   {"deciding_seconds", row.deciding_seconds},
+                   {"measuring_seconds", row.measuring_seconds},
+                   {"all_seconds", row.all_seconds()}};
         if (cost.family == CostFamily::choice) {
             entry["max_de00"] = cost.bound;
             entry["reached"] = cost.is_reached;
             entry["predicted_de00"] = cost.predicted;
-            entry["all_seconds"] = row.all_seconds;
         }
         json.push_back(entry);
     }

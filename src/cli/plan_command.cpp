@@ -12,11 +12,10 @@
 #include "cli/previews.h"
 #include "cli/scenes.h"
 #include "cli/stop_signal.h"
-#include "io/image/lut_file.h"
 #include "pipeline/decide.h"
 #include "pipeline/effect_shares.h"
 #include "pipeline/json.h"
-#include "pipeline/rehearsal.h"
+#include "pipeline/plan_seconds.h"
 
 namespace nacre {
 namespace {
@@ -36,15 +35,13 @@ struct PlanOptions {
 // The rows of LUTs about which something could be decided; errors for the others.
 std::vector<PlanRow> plan_rows(const std::vector<DecidedLut>& luts, const Execution& execution, Console& console) {
     std::vector<PlanRow> rows;
-    prepare_encoder();
     for (const DecidedLut& lut : luts) {
         throw_if_stopped();
         if (!lut.failure.empty()) {
             console.error(lut.failure);
             continue;
         }
-        const double seconds = rehearse(lut);
-        rows.push_back({&lut, seconds, effect_shares(lut.lut, execution)});
+        rows.push_back({&lut, seconds_of_bake(lut, execution), effect_shares(lut, execution)});
     }
     return rows;
 }
@@ -99,13 +96,15 @@ Command plan_command() {
     command.footer =
         "\nThe table shows for each LUT its axes, size and number format, how spectra are integrated, the expected "
         "error\n"
-        "(CIEDE2000, the largest over the LUT), and the time that one thread of this machine needs. The integral is\n"
-        "exact, or the number of wavelengths (nodes; several numbers where more are needed towards grazing angles)\n"
-        "times the number of random thicknesses, of radii or of slices. The last column is the colour space, with the\n"
-        "OpenColorIO config that it is from.\n"
+        "(CIEDE2000, the largest over the LUT), and about how long one thread of this machine bakes and measures it,\n"
+        "found by timing a few texels. The integral is exact, or the number of wavelengths (nodes; several numbers "
+        "where\n"
+        "more are needed towards grazing angles) times the number of random thicknesses, of radii or of slices. The "
+        "last\n"
+        "column is the colour space, with the OpenColorIO config that it is from.\n"
         "Below the table stand the parts of the error, the largest first, and the effects of the material: simulated,\n"
         "or negligible because leaving one out changes colours by less than its share of the error bound. Effects are\n"
-        "sorted by cost: the share of the bake time that leaving one out would save.\n"
+        "sorted by cost: the share of the time of its texels that a LUT without the effect would save.\n"
         "Nothing is written. The exit code is 4 if an error bound that you gave is out of reach.\n\nExample:\n"
         "  nacre plan configs/scenes/morpho.toml --accuracy 0.5\n";
     command.run = [options](Console& console) { return run_plan(*options, console); };

@@ -12,7 +12,7 @@ namespace nacre {
 /// A LUT of `nacre plan`.
 struct PlanRow {
     const DecidedLut* lut = nullptr;
-    double seconds = 0.0;  ///< what baking it will take, see rehearse()
+    double seconds = 0.0;  ///< what baking it will take, see seconds_of_bake()
     std::vector<EffectShare> effects;
 };
 

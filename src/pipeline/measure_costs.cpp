@@ -1,56 +1,116 @@
 #include "pipeline/measure_costs.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cstddef>
+#include <functional>
 #include <utility>
 
 #include "nacre/accuracy/choose_lut.h"
 #include "nacre/accuracy/measure.h"
+#include "nacre/accuracy/survey.h"
+#include "nacre/cost/cost_error.h"
+#include "nacre/lut/bake.h"
 #include "nacre/lut/job.h"
+#include "pipeline/thread_clock.h"
 
 namespace nacre {
 namespace {
 
 // A time is the median of so many runs, or of what fits into so many seconds: sixty cases then take some ten seconds.
+// Slow ones run three times, very slow ones once.
 constexpr int most_runs = 51;
 constexpr int fewest_runs = 3;
-constexpr double seconds_per_case = 0.15;
+constexpr double seconds_per_time = 0.1;
+constexpr double most_seconds_per_time = 0.5;
 
-double now() {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
-
-double median_seconds(const std::function<Image<Rgb>()>& make, const Execution& execution) {
+double median_seconds(const std::function<void()>& work, const Execution& execution) {
     std::vector<double> seconds;
-    const double begin = now();
-    while (static_cast<int>(seconds.size()) < fewest_runs ||
-           (static_cast<int>(seconds.size()) < most_runs && now() - begin < seconds_per_case)) {
+    const double begin = thread_seconds();
+    const auto has_time = [&] {
+        const double spent = thread_seconds() - begin;
+        const auto runs = static_cast<int>(seconds.size());
+        return runs < fewest_runs ? spent < most_seconds_per_time : runs < most_runs && spent < seconds_per_time;
+    };
+    do {
         execution.may_stop();
-        const double start = now();
-        make();
-        seconds.push_back(now() - start);
-    }
+        const double start = thread_seconds();
+        work();
+        seconds.push_back(thread_seconds() - start);
+    } while (has_time());
     const auto middle = seconds.begin() + static_cast<std::ptrdiff_t>(seconds.size() / 2);
     std::nth_element(seconds.begin(), middle, seconds.end());
     return *middle;
 }
 
-// Deciding on the size, and measuring what came out, of one of nacre's own choices.
-double overhead_seconds(const CostCase& cost, const PlannedLut& lut, const Encoding& encoding,
-                        const Execution& execution) {
-    PlannedLut asked = lut;
-    asked.request = {};
-    asked.request.max_de00 = cost.bound;
-    asked.job.light = cost.job.light;
-    const double start = now();
-    const ChosenLut chosen = choose_lut(asked, encoding, execution.step);
-    const double decided = now();
-    const Image<Rgb> stored = cost.make();
-    const double made = now();
-    measure(chosen.lut.job, stored, encoding, chosen.worst);
-    return (decided - start) + (now() - made);
-}
+class Stopwatch {
+public:
+    Stopwatch(const PlannedLut& lut, const Encoding& encoding, double bound, const Execution& execution)
+        : lut_(lut), encoding_(encoding), execution_(execution) {
+        lut_.request = {};
+        lut_.request.max_de00 = bound;
+        lut_.job.light = without_wavelengths(lut.job.light);
+    }
+
+    CostRow row(CostCase cost) {
+        CostRow row;
+        Image<Rgb> stored;
+        row.computing_seconds = seconds_of([&] { stored = cost.make(); });
+        if (cost.family == CostFamily::choice) {
+            time_choice(cost.bound, row);
+        } else {
+            row.measuring_seconds =
+                seconds_of([&] { row.de00 = cost_error(cost, stored, encoding_, execution_.step); });
+            if (cost.needs_sampling) row.deciding_seconds = sampling_seconds();
+        }
+        row.cost = std::move(cost);
+        return row;
+    }
+
+private:
+    double seconds_of(const std::function<void()>& work) const { return median_seconds(work, execution_); }
+
+    // What a job's bake saves whose sampling has the colours of facets.
+    double facet_seconds(const Job& job) const {
+        if (job.sampling.facets == nullptr) return 0.0;
+        Job bare = job;
+        bare.sampling.facets.reset();
+        return std::max(seconds_of([&] { bake(bare); }) - seconds_of([&] { bake(job); }), 0.0);
+    }
+
+    // What the bake of one of nacre's own choices does beside computing.
+    void time_choice(double bound, CostRow& row) const {
+        PlannedLut asked = lut_;
+        asked.request.max_de00 = bound;
+        ChosenLut chosen;
+        row.deciding_seconds = seconds_of([&] { chosen = choose_lut(asked, encoding_, execution_.step); });
+        const Job& job = chosen.lut.job;
+        row.deciding_seconds = std::max(row.deciding_seconds - facet_seconds(job), 0.0);
+        const Image<Xyz> texels = bake(job);
+        const Image<Rgb> stored = stored_lut(job, chosen.lut.format, encoding_);
+        row.measuring_seconds = seconds_of([&] { row.de00 = measure(chosen, texels, stored, encoding_).reached; });
+    }
+
+    // Of nodes and of the points of other sums, as the cases have them; for all of them it is the same.
+    double sampling_seconds() {
+        if (sampling_seconds_ < 0.0) {
+            LutSurvey survey;
+            sampling_seconds_ = seconds_of([&] {
+                Work work;
+                survey = survey_lut(lut_, false, {}, execution_.step, work);
+            });
+            Job job = survey.lut.job;
+            job.width = survey_columns;
+            job.height = job.y ? 2 : 1;
+            sampling_seconds_ = std::max(sampling_seconds_ - facet_seconds(job), 0.0);
+        }
+        return sampling_seconds_;
+    }
+
+    PlannedLut lut_;
+    const Encoding& encoding_;
+    const Execution& execution_;
+    double sampling_seconds_ = -1.0;  // not known yet
+};
 
 }  // namespace
 
@@ -58,15 +118,10 @@ std::vector<CostRow> measure_costs(const PlannedLut& lut, const Encoding& encodi
                                    const Execution& execution) {
     std::vector<CostRow> rows;
     std::vector<CostCase> cases = cost_cases(lut, encoding, bound, execution.step);
+    Stopwatch stopwatch(lut, encoding, bound, execution);
     for (CostCase& cost : cases) {
         execution.may_stop();
-        CostRow row;
-        row.de00 = cost_error(cost, cost.make(), encoding, execution.step);
-        row.seconds = median_seconds(cost.make, execution);
-        row.all_seconds = row.seconds;
-        if (cost.family == CostFamily::choice) row.all_seconds += overhead_seconds(cost, lut, encoding, execution);
-        row.cost = std::move(cost);
-        rows.push_back(std::move(row));
+        rows.push_back(stopwatch.row(std::move(cost)));
         execution.tell(rows.size(), cases.size());
     }
     return rows;

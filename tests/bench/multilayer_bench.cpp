@@ -13,6 +13,7 @@
 #include <optional>
 #include <vector>
 
+#include "bench/whole.h"
 #include "io/ocio/colour_config.h"
 #include "nacre/colour/illuminant.h"
 #include "nacre/cost/baselines.h"
@@ -323,6 +324,15 @@ void decide_20_layers_for_0_02(benchmark::State& state) {
     for (auto _ : state) benchmark::DoNotOptimize(choose_lut(lut, encoding));
 }
 
+// That and all that a bake does besides, beside computing alone.
+void whole_20_layers_for_0_02(benchmark::State& state) {
+    PlannedLut lut = planned_lut();
+    lut.request.width.reset();
+    const ColourTransform transform = to_rec709();
+    const Encoding encoding = lut_encoding(transform, Gamut::keep);
+    for (auto _ : state) bench::report(state, bench::median_whole_bake(lut, encoding));
+}
+
 // ---- Ten thousand layers ----
 
 // At every fifth nanometre, which is what time allows the baseline: 256 angles of ours; four of the baseline's,
@@ -388,6 +398,7 @@ BENCHMARK(spectra_10_periods)->Unit(benchmark::kMillisecond);
 BENCHMARK(spectra_1_film)->Unit(benchmark::kMillisecond);
 BENCHMARK(lut_256_of_20_layers)->Unit(benchmark::kMillisecond);
 BENCHMARK(decide_20_layers_for_0_02)->Unit(benchmark::kMillisecond);
+BENCHMARK(whole_20_layers_for_0_02)->Unit(benchmark::kMillisecond);
 BENCHMARK(ten_thousand_lossless)->Unit(benchmark::kMillisecond)->Iterations(1);
 BENCHMARK(ten_thousand_absorbing)->Unit(benchmark::kMillisecond)->Iterations(1);
 BENCHMARK(ten_thousand_different)->Unit(benchmark::kMillisecond)->Iterations(1);

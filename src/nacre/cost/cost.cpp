@@ -8,8 +8,6 @@
 #include <utility>
 #include <variant>
 
-#include "nacre/accuracy/scan.h"
-#include "nacre/accuracy/trial.h"
 #include "nacre/base/image.h"
 #include "nacre/base/text.h"
 #include "nacre/base/words.h"
@@ -54,6 +52,12 @@ double in_8_bits(double linear) {
     const double encoded = clipped <= 0.0031308 ? 12.92 * clipped : 1.055 * std::pow(clipped, 1.0 / 2.4) - 0.055;
     const double code = std::round(encoded * 255.0) / 255.0;
     return code <= 0.04045 ? code / 12.92 : std::pow((code + 0.055) / 1.055, 2.4);
+}
+
+// A tilted material's colours begin with those of its facets: who has not decided on anything has no curve of them yet.
+Job without_facets(Job job) {
+    job.sampling.facets.reset();
+    return job;
 }
 
 // Every texel's lobe through a baseline. The mechanism's own part is that of the real bake.
@@ -108,13 +112,18 @@ private:
         cost.format = std::string(name_of(format_words, format));
         cost.bytes = static_cast<std::size_t>(job.width) * static_cast<std::size_t>(job.height) *
                      (format == PixelFormat::half_float ? 6 : 12);
+        cost.sampled_for = bound_;
+        cost.needs_sampling = samples_spectra(job.material.mechanism) || !effects_in(job).is_empty();
         cost.job = std::move(job);
-        cost.make = [&encoding = encoding_, made = cost.job, format] {
-            Image<Rgb> image = encoding.to_rgb(bake(made));
-            store(image, [&](double value) { return encoding.stored(value, format); });
-            return image;
+        cost.make = [&encoding = encoding_, job = without_facets(cost.job), format] {
+            return stored_lut(job, format, encoding);
         };
         return cost;
+    }
+
+    // Whose every colour is one band: the baselines of bands know no facets.
+    bool is_bare_palette() const {
+        return std::holds_alternative<Palette>(lut_.job.material.mechanism) && !effects_in(lut_.job).has(Effect::tilt);
     }
 
     void add_baseline(std::string label, std::shared_ptr<const Baseline> baseline) {
@@ -130,15 +139,14 @@ private:
     Job sampled(Job job, SpectralNodes nodes) const {
         job.sampling.nodes.fill(std::make_shared<const SpectralNodes>(std::move(nodes)));
         job.sampling.incoherent_layers.clear();
-        return job;
+        return without_facets(std::move(job));
     }
 
     void add_nodes(std::string label, SpectralNodes nodes) {
         CostCase& cost = add(CostFamily::integral, std::move(label), sized(integral_size), PixelFormat::single_float);
+        cost.needs_sampling = false;
         cost.make = [&encoding = encoding_, job = sampled(cost.job, std::move(nodes))] {
-            Image<Rgb> image = encoding.to_rgb(bake(job));
-            store(image, [&](double value) { return encoding.stored(value, PixelFormat::single_float); });
-            return image;
+            return stored_lut(job, PixelFormat::single_float, encoding);
         };
     }
 
@@ -158,7 +166,7 @@ private:
     void add_integrals() {
         const Mechanism& mechanism = lut_.job.material.mechanism;
         if (samples_spectra(mechanism)) return add_samplings();
-        if (!std::holds_alternative<Palette>(mechanism)) {
+        if (!is_bare_palette()) {
             add(CostFamily::integral, "exact integral", sized(integral_size), PixelFormat::single_float);
             return;
         }
@@ -195,6 +203,7 @@ private:
             };
         if (samples_spectra(cost.job.material.mechanism))
             colours = [job = sampled(cost.job, sum_nodes(light, 5))] { return bake(job); };
+        cost.needs_sampling = false;
         cost.make = [&encoding = encoding_, colours = std::move(colours)] {
             Image<Rgb> image = encoding.to_rgb(colours());
             store(image, [&](double value) { return encoding.stored(value, PixelFormat::half_float); });
@@ -205,13 +214,13 @@ private:
     void add_mistakes() {
         add(CostFamily::mistake, "none of these", sized(mistake_size), PixelFormat::half_float);
         const Mechanism& mechanism = lut_.job.material.mechanism;
-        if (samples_spectra(mechanism) || std::holds_alternative<Palette>(mechanism)) add_coarse_sum();
+        if (samples_spectra(mechanism) || is_bare_palette()) add_coarse_sum();
         {
             CostCase& cost =
                 add(CostFamily::mistake, "8-bit sRGB texture", sized(mistake_size), PixelFormat::half_float);
             cost.format = "8 bit";
             cost.bytes /= 2;
-            cost.make = [&encoding = encoding_, job = cost.job] {
+            cost.make = [&encoding = encoding_, job = without_facets(cost.job)] {
                 Image<Rgb> image = encoding.to_rgb(bake(job));
                 store(image, in_8_bits);
                 return image;
@@ -245,9 +254,7 @@ private:
             CostCase& cost = add(CostFamily::effect, "without " + std::string(row.name), sized(integral_size),
                                  PixelFormat::single_float);
             cost.make = [&encoding = encoding_, job = without_effect(cost.job, row.effect)] {
-                Image<Rgb> image = encoding.to_rgb(bake(job));
-                store(image, [&](double value) { return encoding.stored(value, PixelFormat::single_float); });
-                return image;
+                return stored_lut(job, PixelFormat::single_float, encoding);
             };
         }
     }
@@ -260,7 +267,7 @@ private:
             lut_.request.max_de00 = bound;
             const ChosenLut chosen = choose_lut(lut_, encoding_, after_step_);
             CostCase& cost = add(CostFamily::choice, number_text(bound), chosen.lut.job, chosen.lut.format);
-            cost.bound = bound;
+            cost.bound = cost.sampled_for = bound;
             cost.is_reached = chosen.is_reached;
             cost.predicted = chosen.predicted.total;
         }
@@ -281,10 +288,10 @@ std::vector<CostCase> cost_cases(const PlannedLut& lut, const Encoding& encoding
     return Cases(lut, encoding, bound, after_step).all();
 }
 
-double cost_error(const CostCase& cost, const Image<Rgb>& stored, const Encoding& encoding,
-                  const AfterRow& after_step) {
-    Trial trial(cost.job, stored, encoding, cost.fetch_at, after_step);
-    return scan_errors(trial).largest;
+Image<Rgb> stored_lut(const Job& job, PixelFormat format, const Encoding& encoding) {
+    Image<Rgb> image = encoding.to_rgb(bake(job));
+    store(image, [&](double value) { return encoding.stored(value, format); });
+    return image;
 }
 
 }  // namespace nacre

@@ -37,6 +37,8 @@ struct CostCase {
     bool is_reached = true;                      ///< whether a choice keeps its bound
     double predicted = 0.0;                      ///< error that choose_lut() predicts for a choice; 0: nobody does
     std::size_t bytes = 0;                       ///< of the texels
+    double sampled_for = 0.0;                    ///< bound that the job's sampling is for; its check is as fine
+    bool needs_sampling = false;                 ///< whether `make` takes that sampling: nacre had to decide on it
     std::function<Image<Rgb>()> make;            ///< makes the LUT, as stored; this is what is timed
     std::function<LutPoint(LutPoint)> fetch_at;  ///< where a mistaken shader fetches; empty: at the right place
 };
@@ -52,8 +54,7 @@ struct CostCase {
 std::vector<CostCase> cost_cases(const PlannedLut& lut, const Encoding& encoding, double bound,
                                  const AfterRow& after_step = {});
 
-/// CIEDE2000 error of what a shader gets from the case's LUT, the largest at any coordinate.
-double cost_error(const CostCase& cost, const Image<Rgb>& stored, const Encoding& encoding,
-                  const AfterRow& after_step = {});
+/// The texels of a job, converted and rounded as the format holds them.
+Image<Rgb> stored_lut(const Job& job, PixelFormat format, const Encoding& encoding);
 
 }  // namespace nacre

@@ -1,5 +1,6 @@
 #include "nacre/cost/cost.h"
 #include "nacre/accuracy/exact_colour.h"
+#include "nacre/cost/cost_error.h"
 
 #include <gtest/gtest.h>
 
@@ -11,7 +12,9 @@
 #include <string>
 #include <vector>
 
+#include "nacre/lut/fetch.h"
 #include "nacre/lut/formats.h"
+#include "nacre/lut/sampler.h"
 #include "nacre/scene/readers/axis_reader.h"
 #include "support/palette_luts.h"
 
@@ -197,6 +200,64 @@ TEST(Cost, LargerLutsErrLessUnderEveryAxis) {
     for (const auto& [axis, errors] : by_axis) {
         ASSERT_EQ(errors.size(), 6U);
         for (std::size_t i = 1; i < errors.size(); ++i) EXPECT_LT(errors[i], errors[i - 1]) << axis;
+    }
+}
+
+Job tilted_film() {
+    Film film{Index(1.0), Index(1.45), 450.0, Index(2.2)};
+    Job job;
+    job.material = {"film", film, {}};
+    job.material.mechanism.effects.tilt_deg = 12.0;
+    job.light = test::light_of();
+    job.width = 256;
+    return job;
+}
+
+// Deciding finds the colours of facets: a way that took them would show what deciding is worth, and none of its own
+// errors.
+TEST(Cost, EveryWayComputesTheColoursOfTiltedFacetsItself) {
+    const std::vector<CostCase> cases = cases_of(tilted_film(), 1.0);
+    const auto errors = errors_of(cases, CostFamily::integral);
+    EXPECT_LT(errors.at("chosen nodes"), 0.1);
+    EXPECT_LT(errors.at("1 nm sum"), 0.1);
+    EXPECT_GT(errors.at("12 nodes"), 2.0 * errors.at("24 nodes"));
+    EXPECT_GT(errors.at("three wavelengths"), 5.0);
+}
+
+TEST(Cost, OfATiltedPaletteHasNoBaselinesOfSingleBands) {
+    Job job = test::job_of(test::beetle);
+    job.material.mechanism.effects.tilt_deg = 12.0;
+    const std::vector<CostCase> cases = cases_of(job, 1.0);
+    const auto errors = errors_of(cases, CostFamily::integral);
+    ASSERT_EQ(errors.size(), 1U);
+    EXPECT_LT(errors.at("exact integral"), 0.1);
+}
+
+TEST(Cost, WhatNobodyDecidesOnNeedsNoSampling) {
+    for (const CostCase& cost : cases_of(test::job_of(test::morpho))) EXPECT_FALSE(cost.needs_sampling) << cost.label;
+    for (const CostCase& cost : cases_of(tilted_film(), 1.0)) {
+        const bool is_own = (cost.family == CostFamily::integral && cost.label != "chosen nodes") ||
+                            (cost.family == CostFamily::mistake && cost.label == "5 nm sum");
+        EXPECT_EQ(cost.needs_sampling, !is_own) << cost.label;
+    }
+}
+
+// There the scan takes the model's colours from a curve.
+TEST(Cost, ErrorOfAFilmIsWhatLookingEverywhereFinds) {
+    for (const CostCase& cost : cases_of(tilted_film(), 1.0)) {
+        if (cost.family != CostFamily::fixed_size || cost.job.width > 64) continue;
+        const Image<Rgb> stored = cost.make();
+        const double scale = test::shown_scale(cost.job);
+        Sampler model(cost.job);
+        double largest = 0.0;
+        for (int i = 0; i <= 4096; ++i) {
+            const double x = i / 4096.0;
+            const Image<Rgb> fetched(1, 1, fetch(stored, {x, 0.0}));
+            largest = std::max(largest, test::shown_difference(encoding.to_xyz(fetched).at(0, 0), model.at(x), scale));
+        }
+        // The model's own error counts too: its nodes were decided for the bound.
+        EXPECT_GE(error_of(cost), 0.995 * largest) << cost.label << ' ' << cost.axis;
+        EXPECT_LE(error_of(cost), 1.015 * largest + 0.08) << cost.label << ' ' << cost.axis;
     }
 }
 

@@ -22,8 +22,8 @@ namespace nacre {
 namespace {
 
 // Texels that are looked at, at most, along either axis and in all. Chosen: a tenth of a second for a film.
-constexpr int most_columns = 1024;
-constexpr int most_rows = 17;
+constexpr int most_columns_looked_at = 1024;
+constexpr int most_rows_looked_at = 17;
 // Fewer say nothing that probes did not.
 constexpr std::size_t fewest_texels = 16;
 // Nodes are chosen so that they err by less than the tolerance at probes; between them by half as much again, and what
@@ -47,8 +47,8 @@ std::vector<double> coordinates_of(int texels, int most) {
 PointsOfBands points_of(const Job& job, const Candidate& size) {
     const bool has_incidence = quantity_of(job.material.mechanism) == Quantity::incidence;
     PointsOfBands points;
-    for (const double y : coordinates_of(size.height, most_rows)) {
-        for (const double x : coordinates_of(size.width, most_columns)) {
+    for (const double y : coordinates_of(size.height, most_rows_looked_at)) {
+        for (const double x : coordinates_of(size.width, most_columns_looked_at)) {
             const std::size_t band = has_incidence ? band_of(geometry_at(job, x, y).incidence) : 0;
             points[band].push_back({x, y});
         }

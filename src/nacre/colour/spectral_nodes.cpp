@@ -22,20 +22,20 @@ constexpr std::array<QuadratureNode, 4> quadrature{{{-0.861136311594052575, 0.34
                                                     {0.339981043584856265, 0.652145154862546143},
                                                     {0.861136311594052575, 0.347854845137453857}}};
 
+double weight_at(const std::vector<double>& weights, std::size_t cell, double along) {
+    return std::lerp(weights[cell], weights[cell + 1], along);
+}
+
+}  // namespace
+
 // An interval of the wavenumber, in 1 / nm.
-struct Panel {
+struct NodeMaker::Panel {
     double from;
     double to;
 
     double wavenumber(double x) const { return 0.5 * ((from + to) + x * (to - from)); }
     double x(double wavenumber) const { return std::clamp((2.0 * wavenumber - (from + to)) / (to - from), -1.0, 1.0); }
 };
-
-double weight_at(const std::vector<double>& weights, std::size_t cell, double along) {
-    return std::lerp(weights[cell], weights[cell + 1], along);
-}
-
-}  // namespace
 
 // Integrals over wavelength of the weights times the Chebyshev polynomials of x, degree by degree.
 class NodeMaker::Moments {

@@ -45,6 +45,7 @@ public:
     std::shared_ptr<const SpectralNodes> of(int count);
 
 private:
+    struct Panel;
     class Moments;
     const std::vector<Moments>& moments(int panels, int degrees);
 

@@ -59,10 +59,6 @@ double effort_of_texels(const Job& job) {
     return static_cast<double>(job.width) * static_cast<double>(job.height) * effort_per_colour(job);
 }
 
-std::size_t part_of(std::size_t count, double share) {
-    return static_cast<std::size_t>(std::ceil(share * static_cast<double>(count)));
-}
-
 }  // namespace
 
 double measured_share(const Job& job) {
@@ -80,6 +76,23 @@ double measured_share(const Job& job) {
 
 namespace {
 
+struct JudgedCounts {
+    std::size_t suspects;  // the worst first
+    std::size_t spread;
+};
+
+// Suspects come first, but for a third of the points.
+JudgedCounts judged_counts(const Job& job, std::size_t suspects) {
+    const double points = measured_share(job) * most_points_judged;
+    const auto taken = std::min(suspects, static_cast<std::size_t>(std::ceil(2.0 / 3.0 * points)));
+    const double left = std::ceil(points) - static_cast<double>(taken);
+    return {taken, static_cast<std::size_t>(std::clamp(left, 0.0, static_cast<double>(spread_points)))};
+}
+
+}  // namespace
+
+namespace {
+
 // Of a LUT's bound, what the reference may err by. Chosen: it is seen in no digit that is told.
 constexpr double share_of_reference = 0.01;
 
@@ -92,15 +105,14 @@ struct Judged {
 // @param tolerance  of the reference, CIEDE2000
 Judged judge(const Job& job, const Encoding& encoding, std::span<const LutPoint> suspects, double tolerance) {
     const bool is_2d = job.y.has_value();
-    const double share = measured_share(job);
-    suspects = suspects.first(part_of(suspects.size(), share));
+    const JudgedCounts counts = judged_counts(job, suspects.size());
+    suspects = suspects.first(counts.suspects);
     Judged judged{{suspects.begin(), suspects.end()}, {}};
     for (const double x : {0.0, 1.0}) {
         judged.points.push_back({x, 0.0});
         if (is_2d) judged.points.push_back({x, 1.0});
     }
-    const auto spread = static_cast<int>(part_of(spread_points, share));
-    for (int i = 0; i < spread; ++i) judged.points.push_back(spread_point(i, is_2d));
+    for (int i = 0; i < static_cast<int>(counts.spread); ++i) judged.points.push_back(spread_point(i, is_2d));
     const Reference reference(job, tolerance);
     judged.truth = colours_of(judged.points, encoding, [&](LutPoint point) { return reference.at(point.x, point.y); });
     return judged;
@@ -247,8 +259,8 @@ Work bake_work(const Job& job, std::size_t suspects) {
     (is_integrated ? work.exact_integrals : work.spectra) = work.texels;
     if (work.spectra > 0) work.samples = samples_of(job);
     const std::size_t corners = job.y ? 4 : 2;
-    const double share = measured_share(job);
-    work.references = part_of(suspects, share) + corners + part_of(spread_points, share);
+    const JudgedCounts counts = judged_counts(job, suspects);
+    work.references = counts.suspects + corners + counts.spread;
     return work;
 }
 

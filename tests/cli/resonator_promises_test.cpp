@@ -18,8 +18,10 @@
 namespace nacre::test {
 namespace {
 
+using reference::layer_of;
 using reference::Model;
 using reference::ModelScene;
+using reference::periods_of;
 using reference::Worst;
 
 // Into a folder of the bound's name.
@@ -54,20 +56,6 @@ Mechanism gap(double thickness_nm) {
 std::string gap_text(const std::string& thickness_nm) {
     return "mechanism = \"film\"\nincident = 1.33\nindex = 1.0\nthickness_nm = " + thickness_nm +
            "\nsubstrate = \"ag\"\n";
-}
-
-Layer layer_of(const Index& index, double thickness_nm) {
-    Layer layer;
-    layer.index = index;
-    layer.thickness_nm = thickness_nm;
-    return layer;
-}
-
-Layer periods_of(int repeat, const Layer& first, const Layer& second) {
-    Layer group;
-    group.repeat = repeat;
-    group.layers = {first, second};
-    return group;
 }
 
 Index tio2() {

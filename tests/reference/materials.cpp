@@ -251,4 +251,18 @@ Complex index_at(const Index& index, double nm) {
     return {n, k};
 }
 
+Layer layer_of(const Index& index, double thickness_nm) {
+    Layer layer;
+    layer.index = index;
+    layer.thickness_nm = thickness_nm;
+    return layer;
+}
+
+Layer periods_of(int repeat, const Layer& first, const Layer& second) {
+    Layer group;
+    group.repeat = repeat;
+    group.layers = {first, second};
+    return group;
+}
+
 }  // namespace nacre::reference

@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "nacre/optics/layered.h"
 #include "nacre/optics/refractive_index.h"
 #include "reference/complex.h"
 
@@ -29,5 +30,10 @@ double linear_at(const SampledCurve& table, double wavelength_nm, bool holds);
 
 /// The same number, or the same table.
 bool same(const Index& one, const Index& other);
+
+/// One layer of a stack.
+Layer layer_of(const Index& index, double thickness_nm);
+/// So many pairs of layers.
+Layer periods_of(int repeat, const Layer& first, const Layer& second);
 
 }  // namespace nacre::reference

@@ -13,20 +13,6 @@ namespace {
 
 constexpr std::array<const char*, 3> mirrors{"ag", "au", "al"};
 
-Layer layer_of(const Index& index, double thickness_nm) {
-    Layer layer;
-    layer.index = index;
-    layer.thickness_nm = thickness_nm;
-    return layer;
-}
-
-Layer periods_of(int repeat, const Layer& first, const Layer& second) {
-    Layer group;
-    group.repeat = repeat;
-    group.layers = {first, second};
-    return group;
-}
-
 // @param place  0 to 1 through the kind, so that its range is walked evenly
 Mechanism gap(Dice& dice, double place) {
     Film film;

@@ -32,9 +32,8 @@ struct Measured {
 Measured measure(const ChosenLut& chosen, const Image<Xyz>& texels, const Image<Rgb>& stored, const Encoding& encoding);
 
 /// The largest error found at a few points alone: fetches from the stored numbers as a shader does, and compares with
-/// Reference, at the points given and at
-/// `spread_points` more that lie between the texels all over the LUT, and at its corners. Of models whose every colour
-/// takes the reference long (irregular stacks, thick layers, thousands of layers) fewer points are looked at.
+/// Reference, at the points given, at `spread_points` more that lie between the texels all over the LUT, and at its
+/// corners. Where a colour takes the reference long beside the texels of the LUT, there are fewer of both.
 /// @param stored    the components as they are in the file
 /// @param suspects  where the LUT errs most, by choose_lut()
 /// @pre the encoding has a way back to XYZ

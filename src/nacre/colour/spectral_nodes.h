@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "nacre/base/spectrum.h"
+#include "nacre/colour/chebyshev_moments.h"
 #include "nacre/colour/tristimulus.h"
 
 namespace nacre {
@@ -45,12 +46,11 @@ public:
     std::shared_ptr<const SpectralNodes> of(int count);
 
 private:
-    struct Panel;
-    class Moments;
-    const std::vector<Moments>& moments(int panels, int degrees);
+    const std::vector<ChebyshevMoments>& moments(int panels, int degrees);
+    WavenumberPanel panel_of(int i, int panels) const;
 
     const TristimulusWeights* weights_;
-    std::map<int, std::shared_ptr<const std::vector<Moments>>> moments_;  // by the number of panels
+    std::map<int, std::vector<ChebyshevMoments>> moments_;  // by the number of panels, panel by panel
     std::map<int, std::shared_ptr<const SpectralNodes>> nodes_;
 };
 

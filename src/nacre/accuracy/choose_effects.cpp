@@ -8,7 +8,7 @@
 //     out for good. Contributions add up, so that all of them together keep the tolerance.
 // What was left out so far is missing from the materials with which the scene's own `without` and tilt are compared;
 // the other comparisons hold against the material with all of its effects. A few samples of uneven thicknesses stand
-// for their mean here, except where the spread itself is judged.
+// for their mean here.
 //
 // The constants are empirical: with them none of the 300 random scenes of tests/cli/effects_accuracy_test.cpp changes
 // by more than the shares of what is left out.
@@ -28,8 +28,7 @@ namespace {
 
 // What an effect changes between the probes may be half as much again (empirical).
 constexpr double between_probes = 1.5;
-// Enough samples and radii to see whether a spread counts at all (empirical).
-constexpr int thickness_samples_of_contribution = 16;
+// Enough to see whether a spread counts at all (empirical), as few_thickness_samples are.
 constexpr int radii_of_contribution = 32;
 
 using ColoursOfBands = std::array<Colours, band_least_cos_theta.size()>;
@@ -40,18 +39,6 @@ ColoursOfBands whole_colours(const Probes& probes, const SpectralSampling& sampl
     for (std::size_t band = 0; band < probes.bands.size(); ++band)
         colours[band] = colours_at(probes, band, sampling, {}, tally);
     return colours;
-}
-
-double contribution_of_spread(const Probes& probes, const SpectralSampling& even, ProbeTally& tally) {
-    SpectralSampling uneven = even;
-    uneven.thickness_samples = thickness_samples_of_contribution;
-    double largest = 0.0;
-    for (std::size_t band = 0; band < probes.bands.size(); ++band) {
-        const Colours without = colours_at(probes, band, even, {}, tally);
-        const Colours with = colours_at(probes, band, uneven, {}, tally);
-        largest = std::max(largest, largest_difference(with, without, tally));
-    }
-    return largest;
 }
 
 double contribution_of(Effect effect, const Probes& probes, SpectralSampling sampling, const ColoursOfBands& whole,
@@ -89,7 +76,7 @@ void append_colours(Mechanism mechanism, const Probe& probe, const Probes& probe
 double contribution_of_given(Effect effect, const EffectSet& rest, const Probes& probes,
                              const SpectralSampling& sampling, ProbeTally& tally) {
     SpectralSampling sampling_with = sampling;
-    if (effect == Effect::thickness_spread) sampling_with.thickness_samples = thickness_samples_of_contribution;
+    if (effect == Effect::thickness_spread) sampling_with.thickness_samples = few_thickness_samples;
     if (effect == Effect::size_spread) sampling_with.radii = radii_of_contribution;
     double largest = 0.0;
     for (const std::vector<Probe>& band : probes.bands) {
@@ -123,7 +110,6 @@ ChosenEffects choose_effects(const Probes& probes, const SpectralSampling& sampl
     std::optional<ColoursOfBands> whole;  // computed when the first effect asks for it
     const auto contribution = [&](Effect effect, const EffectSet& without) {
         if (effect == Effect::tilt) return contribution_of_tilt(probes, sampling, without, tally);
-        if (effect == Effect::thickness_spread) return contribution_of_spread(probes, sampling, tally);
         if (!whole) whole = whole_colours(probes, few_samples, tally);
         return contribution_of(effect, probes, few_samples, *whole, tally);
     };

@@ -5,6 +5,7 @@
 #include "nacre/accuracy/choose_lut.h"
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 #include "nacre/accuracy/confirm_nodes.h"
@@ -40,6 +41,41 @@ ChosenLut choose_without_errors(const PlannedLut& lut, const AfterRow& after_ste
 // always the last, because what was found says how many nodes they need.
 constexpr int most_rounds = 4;
 
+// A curve that may have missed something is made once more, with so much of the error; chosen.
+constexpr double finer_curve = 0.2;
+
+NodeCounts twice(NodeCounts counts) {
+    for (int& count : counts) count = std::min(2 * count, most_nodes);
+    return counts;
+}
+
+// Whether a LUT misses its bound by so little that it may be the fault of the curve or of the nodes.
+bool is_in_doubt(const LutSurvey& survey, const FoundLut& found) {
+    constexpr double near = 1.25;
+    if (found.is_reached || found.jump || !survey.curve) return false;
+    return judged_error(survey, found.scan.largest) < near * survey.lut.request.max_de00;
+}
+
+// More nodes; if there were more already, or the scene gives them, a finer curve. Returns whether that is new.
+bool add_care(const LutSurvey& survey, Care& care) {
+    const bool are_given = survey.lut.request.sampling.nodes.front() > 0;
+    if (!are_given && care.least.nodes == NodeCounts{}) {
+        care.least.nodes = twice(survey.lut.job.sampling.counts().nodes);
+        return true;
+    }
+    if (care.share_of_curve < 1.0) return false;
+    care.share_of_curve = finer_curve;
+    return true;
+}
+
+// What nodes may err by for the bound to be kept: what the rest leaves, and in any case what probes were chosen with.
+double room_for_nodes(const LutSurvey& survey, const FoundLut& found) {
+    if (!found.is_reached || survey.spectrum_error != SpectrumError::beside_scan)
+        return std::numeric_limits<double>::infinity();
+    const double rest = judged_error(survey, found.scan.largest) - survey.known.spectrum;
+    return std::max(scannable_bound(survey) - rest, tolerance_of_nodes(survey.lut.request.max_de00));
+}
+
 }  // namespace
 
 ChosenLut choose_lut(const PlannedLut& lut, const Encoding& encoding, const AfterRow& after_step, Care care) {
@@ -51,10 +87,16 @@ ChosenLut choose_lut(const PlannedLut& lut, const Encoding& encoding, const Afte
         TexelsOfWidths known;
         const LutSearch search{survey, encoding, after_step, &known};
         FoundLut found = find_lut(search, work);
-        ConfirmedNodes confirmed{survey.lut.job.sampling.counts().nodes};
-        if (!found.jump) confirmed = confirm_nodes(survey, found.candidate, after_step, work);
+        if (is_in_doubt(survey, found) && add_care(survey, care)) {
+            all += work;
+            continue;
+        }
+        const NodeCounts counts = survey.lut.job.sampling.counts().nodes;
+        ConfirmedNodes confirmed{counts};
+        if (!found.jump)
+            confirmed = confirm_nodes(survey, found.candidate, room_for_nodes(survey, found), after_step, work);
         all += work;
-        if (confirmed.counts == survey.lut.job.sampling.counts().nodes || round == most_rounds) {
+        if (confirmed.counts == counts || round == most_rounds) {
             ChosenLut chosen = explain_lut(search, std::move(found), all);
             chosen.of_nodes = confirmed.error;
             return chosen;
@@ -68,7 +110,8 @@ Care more_care(const Care& care, const ChosenLut& chosen, double measured) {
     Care more;
     more.share_of_texels = care.share_of_texels * std::max(chosen.lut.request.max_de00 / measured, strictest);
     more.least = chosen.lut.job.sampling.counts();
-    for (int& count : more.least.nodes) count = std::min(2 * count, most_nodes);
+    more.share_of_curve = finer_curve * care.share_of_curve;
+    more.least.nodes = twice(more.least.nodes);
     for (int* count : {&more.least.base_directions, &more.least.radii, &more.least.slices}) *count *= 2;
     return more;
 }

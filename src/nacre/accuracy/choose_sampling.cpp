@@ -93,10 +93,12 @@ ChosenSampling choose_sampling(const Job& job, const SamplingTolerance& toleranc
     const bool has_size_spread = named.has(Effect::size_spread) && !job.without.has(Effect::size_spread);
     choose_spectra(probes, tolerance, request, has_size_spread, chosen, tally);
 
-    ChosenEffects effects = choose_effects(probes, chosen.sampling, tolerance.effects, tally);
-    chosen.effects = std::move(effects.effects);
-    chosen.without = effects.without;
-    chosen.effects_error = effects.error;
+    if (request.judges_effects) {
+        ChosenEffects effects = choose_effects(probes, chosen.sampling, tolerance.effects, tally);
+        chosen.effects = std::move(effects.effects);
+        chosen.without = effects.without;
+        chosen.effects_error = effects.error;
+    }
 
     choose_means(probes, tolerance, request, named.minus(chosen.without), chosen, tally);
     chosen.work = tally.work;
@@ -108,12 +110,12 @@ Job integrated_job(Job job, const SamplingTolerance& tolerance) {
     job.light = without_wavelengths(job.light);
     SamplingCounts counts = job.sampling.counts();
     counts.nodes = {};
-    job.sampling = choose_sampling(job, tolerance, {.counts = counts}).sampling;
+    job.sampling = choose_sampling(job, tolerance, {.counts = counts, .judges_effects = false}).sampling;
     return job;
 }
 
 SpectralSampling default_sampling(const Job& job) {
-    return choose_sampling(job, {}).sampling;
+    return choose_sampling(job, {}, {.judges_effects = false}).sampling;
 }
 
 }  // namespace nacre

@@ -37,6 +37,7 @@ struct SamplingRequest {
     SamplingCounts counts{};             ///< what the caller requests; 0: to be chosen
     SamplingCounts least{};              ///< of those that are chosen
     std::shared_ptr<NodeMaker> nodes{};  ///< of the job's light, to be shared; null: an own one
+    bool judges_effects = true;  ///< false: what the job does without is left out, and nobody asks what it changes
 };
 
 /// The fewest nodes that keep colours within the tolerance at probes all over the job's axes (twice and three times

@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <array>
 #include <functional>
+#include <map>
 #include <span>
 
 #include "nacre/shade/layered_colour.h"
@@ -68,7 +69,7 @@ ChosenCount choose_count(std::span<const int> list, int requested, double tolera
 
 ChosenCount choose_radii(const Probes& probes, const SpectralSampling& sampling, double tolerance, int requested,
                          ProbeTally& tally) {
-    constexpr int enough_nodes = 24;  // a mean over radii is smooth in wavelength
+    constexpr int enough_nodes = 16;  // a mean over radii is smooth in wavelength
     const Mechanism& mechanism = probes.job.material.mechanism;
     const SpectralSampling probed = with_nodes(sampling, probes.nodes->of(enough_nodes));
     const auto colours_of = [&](int radii) {
@@ -110,10 +111,13 @@ ChosenCount choose_base_directions(const Probes& probes, const SpectralSampling&
 
 ChosenCount choose_thickness_samples(const Probes& probes, const SpectralSampling& sampling, EffectSet without,
                                      double tolerance, int requested, ProbeTally& tally) {
+    std::map<int, Colours> known;
     const auto colours_of = [&](int samples) {
+        Colours& all = known[samples];
+        if (!all.empty()) return all;
         SpectralSampling tried = sampling;
         tried.thickness_samples = samples;
-        Colours all = colours_at(probes, 0, tried, without, tally);
+        all = colours_at(probes, 0, tried, without, tally);
         const Colours oblique = colours_at(probes, 1, tried, without, tally);
         all.insert(all.end(), oblique.begin(), oblique.end());
         return all;

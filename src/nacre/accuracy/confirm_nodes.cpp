@@ -1,7 +1,8 @@
 // Whether the nodes that were chosen at a few probes do for the texels that are written.
 //
 // In: the survey, whose nodes the probes agreed on, and the size that was found with them. Band by band, the texels'
-// colours are computed with the nodes and with twice as many. Where they differ by more than nodes may, a resonance
+// colours are computed with the nodes and with twice as many; with the nodes themselves only where the survey's curve
+// is far from these. Where they differ by more than nodes may, a resonance
 // lies between the probes - a plasmon behind a gap, a mode of a cavity - and the count is doubled until they agree.
 // Facets are left out: their mean is smoother than what it is the mean of.
 #include "nacre/accuracy/confirm_nodes.h"
@@ -10,6 +11,9 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <functional>
+#include <optional>
+#include <utility>
 #include <vector>
 
 #include "nacre/accuracy/choose_nodes.h"
@@ -25,7 +29,7 @@ namespace {
 constexpr int most_columns_looked_at = 1024;
 constexpr int most_rows_looked_at = 17;
 // Fewer say nothing that probes did not.
-constexpr std::size_t fewest_texels = 16;
+constexpr std::size_t fewest_texels = 6;
 // Nodes are chosen so that they err by less than the tolerance at probes; between them by half as much again, and what
 // is compared here errs too.
 constexpr double tolerances = 2.0;
@@ -84,9 +88,34 @@ double largest_difference(const Colours& one, const Colours& other, double scale
     return largest;
 }
 
+// The texels at which a curve of the colours is furthest from `finer` ones, and these: only there the colours
+// themselves need to be computed.
+struct FarTexels {
+    std::vector<LutPoint> points;
+    Colours finer;
+};
+
+FarTexels far_from_curve(const ModelCurve& curve, const std::vector<LutPoint>& points, const Colours& finer,
+                         double scale) {
+    constexpr std::size_t most_texels = 8;  // chosen: a curve errs by less than nodes may
+    std::vector<std::pair<double, std::size_t>> differences;
+    for (std::size_t i = 0; i < points.size(); ++i)
+        differences.emplace_back(difference_at(curve.at(points[i].x), finer[i], scale), i);
+    const std::size_t count = std::min(most_texels, differences.size());
+    std::partial_sort(differences.begin(), differences.begin() + static_cast<std::ptrdiff_t>(count), differences.end(),
+                      std::greater<>());
+    FarTexels far;
+    for (std::size_t i = 0; i < count; ++i) {
+        far.points.push_back(points[differences[i].second]);
+        far.finer.push_back(finer[differences[i].second]);
+    }
+    return far;
+}
+
 }  // namespace
 
-ConfirmedNodes confirm_nodes(const LutSurvey& survey, const Candidate& size, const AfterRow& after_step, Work& work) {
+ConfirmedNodes confirm_nodes(const LutSurvey& survey, const Candidate& size, double most_error,
+                             const AfterRow& after_step, Work& work) {
     const Job& job = survey.lut.job;
     ConfirmedNodes confirmed{job.sampling.counts().nodes, 0.0};
     if (job.light->settings.wavelengths || !samples_spectra(job.material.mechanism)) return confirmed;
@@ -107,11 +136,16 @@ ConfirmedNodes confirm_nodes(const LutSurvey& survey, const Candidate& size, con
             return 2 * count <= most_nodes && effort <= most_probe_effort;
         };
         if (!is_affordable()) continue;
-        const double limit = tolerances * tolerances_of_band[band] * tolerance_of_nodes(survey.lut.request.max_de00);
-        Colours colours = colours_with(plain, survey.nodes->of(count), points[band], after_step, work);
+        const double usual = tolerances * tolerances_of_band[band] * tolerance_of_nodes(survey.lut.request.max_de00);
+        const double limit = std::min(usual, most_error);
+        std::optional<Colours> colours;  // of all texels with `count` nodes
         while (is_affordable()) {
             Colours finer = colours_with(plain, survey.nodes->of(2 * count), points[band], after_step, work);
-            const double error = largest_difference(colours, finer, survey.scale);
+            FarTexels far{points[band], finer};
+            if (is_plain && survey.curve && !colours)
+                far = far_from_curve(*survey.curve, points[band], finer, survey.scale);
+            if (!colours) colours = colours_with(plain, survey.nodes->of(count), far.points, after_step, work);
+            const double error = largest_difference(*colours, far.finer, survey.scale);
             if (is_given || error <= limit) {
                 if (is_plain) confirmed.error = std::max(confirmed.error, error);
                 break;

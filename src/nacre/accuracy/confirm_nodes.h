@@ -17,6 +17,8 @@ struct ConfirmedNodes {
 /// twice as many again change no texel by more than nodes may. Those that the scene gives stay.
 ///
 /// Probes are few, and a resonance may lie between them. A LUT of many texels is looked at on every n-th line only.
-ConfirmedNodes confirm_nodes(const LutSurvey& survey, const Candidate& size, const AfterRow& after_step, Work& work);
+/// @param most_error  CIEDE2000 that nodes may change of a texel, if that is less than usual
+ConfirmedNodes confirm_nodes(const LutSurvey& survey, const Candidate& size, double most_error,
+                             const AfterRow& after_step, Work& work);
 
 }  // namespace nacre

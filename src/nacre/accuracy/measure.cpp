@@ -1,9 +1,10 @@
 // The error of a finished LUT, against the independent reference.
 //
 // In: the choice, the texels, and the numbers as they are in the file. Two comparisons make an upper estimate:
-//   1. The numbers, fetched as a shader does, with the bake's own model: everywhere. The choice did that; where it took
-//      colours from a curve, it is done once more with the numbers as they are, and without the curve in the middles
-//      between texels.
+//   1. The numbers, fetched as a shader does, with the bake's own model: everywhere, which the choice did. Where it
+//   took
+//      colours from a curve, the model itself is asked at the texels, in the middles between them, and where the choice
+//      saw the largest errors.
 //   2. The model with the reference: at the points at which the LUT errs most, at the corners, and at points that are
 //      spread evenly. Where the reference is expensive there are fewer, the worst first. The numbers themselves are
 //      compared there, too, whatever the first comparison says. What the choice saw twice as many nodes change of a
@@ -47,8 +48,8 @@ Image<Xyz> colours_of(const std::vector<LutPoint>& points, const Encoding& encod
 
 // Measuring may take so many reflectances of a film, half a millisecond to two, or so many times what the texels take.
 // Chosen: with the choice itself it then takes less than ten times as long as the texels.
-constexpr double always_affordable = 5e5;
-constexpr double texels_affordable = 3.0;
+constexpr double always_affordable = 3e5;
+constexpr double texels_affordable = 1.0;
 // So many points there are in any case, and at most.
 constexpr double fewest_points_judged = 12.0;
 constexpr double most_points_judged = 128.0;
@@ -91,10 +92,12 @@ JudgedCounts judged_counts(const Job& job, std::size_t suspects) {
 
 }  // namespace
 
-namespace {
+double tolerance_of_reference(double max_de00) {
+    constexpr double share = 0.01;  // chosen: it is seen in no digit that is told
+    return share * max_de00;
+}
 
-// Of a LUT's bound, what the reference may err by. Chosen: it is seen in no digit that is told.
-constexpr double share_of_reference = 0.01;
+namespace {
 
 // The points at which the reference is asked, and what it says there.
 struct Judged {
@@ -113,6 +116,9 @@ Judged judge(const Job& job, const Encoding& encoding, std::span<const LutPoint>
         if (is_2d) judged.points.push_back({x, 1.0});
     }
     for (int i = 0; i < static_cast<int>(counts.spread); ++i) judged.points.push_back(spread_point(i, is_2d));
+    // Towards grazing the reference takes ever more wavelengths, and begins where it ended.
+    std::stable_sort(judged.points.begin(), judged.points.end(),
+                     [](const LutPoint& one, const LutPoint& other) { return one.x > other.x; });
     const Reference reference(job, tolerance);
     judged.truth = colours_of(judged.points, encoding, [&](LutPoint point) { return reference.at(point.x, point.y); });
     return judged;
@@ -136,69 +142,68 @@ Measured compare(const Judged& judged, const Image<Rgb>& stored, const Encoding&
     return measured;
 }
 
+double largest_difference(const Image<Xyz>& one, const Image<Xyz>& other, double scale) {
+    double largest = 0.0;
+    for (std::size_t i = 0; i < one.size(); ++i)
+        largest = std::max(largest, difference_at(one.data()[i], other.data()[i], scale));
+    return largest;
+}
+
 // What the bake's own model is from the truth, the largest at the points judged.
 double error_of_model(const ChosenLut& chosen, const Judged& judged, const Encoding& encoding, double scale) {
     Sampler sampler(chosen.lut.job);
-    const Image<Xyz> model = colours_of(judged.points, encoding, [&](LutPoint point) {
-        return chosen.curve ? chosen.curve->at(point.x) : sampler.at(point.x, point.y);
-    });
-    double largest = 0.0;
-    for (std::size_t i = 0; i < model.size(); ++i)
-        largest = std::max(largest, difference_at(model.data()[i], judged.truth.data()[i], scale));
-    return largest;
+    const Image<Xyz> model =
+        colours_of(judged.points, encoding, [&](LutPoint point) { return sampler.at(point.x, point.y); });
+    return largest_difference(model, judged.truth, scale);
 }
 
-// What the curve that stands for the model is from the model itself, at the texels.
-double error_of_curve(const ChosenLut& chosen, const Image<Xyz>& texels, double scale) {
-    double largest = 0.0;
-    for (int i = 0; i < texels.width(); ++i) {
-        const Xyz& texel = texels.at(i, 0);
-        largest =
-            std::max(largest, difference_at(chosen.curve->at(coordinate_of_texel(i, texels.width())), texel, scale));
-    }
-    return largest;
+// Where a curve stood for the model of a 1D LUT, the model itself is asked: in the middle between every two texels,
+// where a linear filter errs most, at breakpoints, and where the choice saw the largest errors.
+std::vector<LutPoint> points_without_curve(const ChosenLut& chosen) {
+    const Job& job = chosen.lut.job;
+    std::vector<LutPoint> points = chosen.worst;
+    for (int i = 0; i + 1 < job.width; ++i) points.push_back({(i + 0.5) / (job.width - 1), 0.0});
+    for (const double x : breakpoints(job, 0.0)) points.push_back({x, 0.0});
+    return points;
 }
 
-// What a fetch in the middle between two texels of a 1D LUT is from the model itself: there a linear filter errs most,
-// and a curve may have missed a narrow feature.
-double error_in_middles(const Job& job, const Image<Rgb>& stored, const Encoding& encoding, double scale) {
-    std::vector<LutPoint> middles;
-    for (int i = 0; i + 1 < stored.width(); ++i) middles.push_back({(i + 0.5) / (stored.width() - 1), 0.0});
+// What a fetch at a texel is from what was baked.
+double error_of_storage(const Image<Xyz>& texels, const Image<Rgb>& stored, const Encoding& encoding, double scale) {
+    const Image<Xyz> meant = encoding.keeps_colours ? texels : encoding.to_xyz(encoding.to_rgb(texels));
+    return largest_difference(encoding.to_xyz(stored), meant, scale);
+}
+
+// What fetches are from the model, the largest.
+double error_of_fetches(const Job& job, const std::vector<LutPoint>& points, const Image<Rgb>& stored,
+                        const Encoding& encoding, double scale) {
     Sampler sampler(job);
-    const Image<Xyz> model = colours_of(middles, encoding, [&](LutPoint point) { return sampler.at(point.x); });
+    const Image<Xyz> model = colours_of(points, encoding, [&](LutPoint point) { return sampler.at(point.x, point.y); });
     Image<Rgb> fetched(model.width(), 1);
-    std::transform(middles.begin(), middles.end(), fetched.begin(),
-                   [&](LutPoint point) { return fetch(stored, point); });
-    const Image<Xyz> seen = encoding.to_xyz(fetched);
-    double largest = 0.0;
-    for (std::size_t i = 0; i < model.size(); ++i)
-        largest = std::max(largest, difference_at(seen.data()[i], model.data()[i], scale));
-    return largest;
+    std::transform(points.begin(), points.end(), fetched.begin(), [&](LutPoint point) { return fetch(stored, point); });
+    return largest_difference(encoding.to_xyz(fetched), model, scale);
 }
 
 }  // namespace
 
 Measured measure(const Job& job, const Image<Rgb>& stored, const Encoding& encoding,
                  std::span<const LutPoint> suspects) {
-    return compare(judge(job, encoding, suspects, share_of_reference * AccuracyRequest::default_max_de00), stored,
+    return compare(judge(job, encoding, suspects, tolerance_of_reference(AccuracyRequest::default_max_de00)), stored,
                    encoding);
 }
 
 Measured measure(const ChosenLut& chosen, const Image<Xyz>& texels, const Image<Rgb>& stored,
                  const Encoding& encoding) {
     const Job& job = chosen.lut.job;
-    const Judged judged = judge(job, encoding, chosen.worst, share_of_reference * chosen.lut.request.max_de00);
+    const Judged judged = judge(job, encoding, chosen.worst, tolerance_of_reference(chosen.lut.request.max_de00));
     Measured measured = compare(judged, stored, encoding);
     measured.model_points = chosen.model_points;
     measured.of_texels = chosen.from_model;
     if (chosen.curve) {
-        // The choice looked at texels from the curve.
-        Trial trial(job, stored, encoding, *chosen.curve, measured.scale);
-        const Scan scan = scan_errors(trial);
+        const std::vector<LutPoint> points = points_without_curve(chosen);
+        const double of_fetches = error_of_fetches(job, points, stored, encoding, measured.scale);
         measured.of_texels =
-            std::max(scan.largest / share_found_by_scan(job) + error_of_curve(chosen, texels, measured.scale),
-                     error_in_middles(job, stored, encoding, measured.scale));
-        measured.model_points = scan.points;
+            std::max(of_fetches / share_found_by_scan(job), error_of_storage(texels, stored, encoding, measured.scale));
+        measured.model_points = points.size() + texels.size();
     }
     measured.of_model = std::max(error_of_model(chosen, judged, encoding, measured.scale), chosen.of_nodes);
     // The scene's own wavelengths are no model of the truth: what they err by was found by the true integral.

@@ -55,6 +55,9 @@ struct ClippingLoss {
 /// @pre the encoding has a way back to XYZ
 ClippingLoss clipping_loss(const Image<Rgb>& stored, const Encoding& encoding, double scale, double bound);
 
+/// What measure() lets the reference err by, CIEDE2000.
+double tolerance_of_reference(double max_de00);
+
 /// The share of the points at which measure() looks, in (0, 1].
 double measured_share(const Job& job);
 

@@ -16,16 +16,9 @@ constexpr std::array<std::array<double, 6>, band_count> probe_sqrt_cos{{{1.0, 0.
                                                                         {0.53, 0.47, 0.4, 0.34, 0.28, 0.23},
                                                                         {0.21, 0.17, 0.14, 0.11, 0.09, 0.07},
                                                                         {0.06, 0.045, 0.03, 0.02, 0.01, 0.005}}};
-// Empirical: chosen after films that stand free, whose fringes next to grazing are needles that six angles missed.
-constexpr std::array more_grazing_sqrt_cos{0.0561, 0.0523, 0.0487, 0.0421, 0.0377, 0.0333, 0.0271, 0.0237,
-                                           0.0213, 0.0177, 0.0153, 0.0131, 0.0113, 0.0087, 0.0073, 0.0061,
-                                           0.0047, 0.0041, 0.0037, 0.0029, 0.0023, 0.0017, 0.0011, 0.0007};
-
 std::vector<Geometry> incidences_of(std::size_t band) {
     std::vector<Geometry> geometries;
     for (const double s : probe_sqrt_cos[band]) geometries.emplace_back(Incidence::from_sqrt_cos(s));
-    if (band + 1 < band_count) return geometries;
-    for (const double s : more_grazing_sqrt_cos) geometries.emplace_back(Incidence::from_sqrt_cos(s));
     return geometries;
 }
 

@@ -117,7 +117,7 @@ Xyz Reference::layered(const Mechanism& mechanism, const Incidence& incidence) c
     }
     // Towards grazing every face is a mirror, and what is left of fringes are lines: coarse steps may miss them all. Of
     // uneven layers there are too many for that.
-    if (layers_->layers.ensemble().systems.size() == 1) {
+    if (layers_->layers.ensemble().systems.size() == 1 && incidence.cos_theta > 0.0) {
         const double least_steps = 2.0 * pi * layers_->fringes / std::clamp(4.0 * incidence.cos_theta, 0.02, 1.0);
         layers_->cells = std::max(layers_->cells, static_cast<int>(least_steps));
     }

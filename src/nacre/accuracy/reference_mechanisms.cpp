@@ -93,28 +93,53 @@ Xyz Reference::tilted(const Mechanism& mechanism, const Incidence& incidence) co
     }
 }
 
+namespace {
+
+// More radii than a bake has, whose mean converges as fast as a Gaussian falls, and enough where it left them out.
+int sizes_of_reference(int radii) {
+    constexpr int enough = 12;
+    constexpr int at_least_more = 4;
+    return radii == 1 ? enough : radii + std::max(at_least_more, radii / 2);
+}
+
+}  // namespace
+
 struct Reference::Scattering {
     Scatter scatter;
-    std::map<std::size_t, ScatterSolver> solvers{};  // by the number of wavelengths
-    int cells = 0;                                   // to begin with
+    int sizes = 1;
+    std::map<std::size_t, ScatterSolver> parts{};  // by a grid's number of wavelengths: of those the next coarser lacks
+    int cells = 0;                                 // to begin with
+
+    // What is seen at a grid's wavelengths. Mie's series, which take longest, are computed once for each.
+    std::vector<double> seen(std::vector<double> nm, double cos_scatter, Polarisation polarisation) {
+        constexpr std::size_t fewest_cells = 8;
+        const std::size_t cells_here = nm.size() - 1;
+        const bool is_halved = cells_here % 2 == 0 && cells_here > fewest_cells;
+        std::vector<double> coarser;
+        std::vector<double> finer;
+        for (std::size_t i = 0; i < nm.size(); ++i) (is_halved && i % 2 == 0 ? coarser : finer).push_back(nm[i]);
+        const ScatterSolver& solver = parts.try_emplace(nm.size(), scatter, finer, sizes).first->second;
+        std::vector<double> values(finer.size());
+        solver.seen(cos_scatter, polarisation, values);
+        if (!is_halved) return values;
+        const std::vector<double> others = seen(std::move(coarser), cos_scatter, polarisation);
+        for (std::size_t i = 0; i < nm.size(); ++i) nm[i] = i % 2 == 0 ? others[i / 2] : values[i / 2];
+        return nm;
+    }
 };
 
 // Of a single sphere some resonances are narrower than any step; the sum of their light is small.
 Xyz Reference::scattered(const Mechanism& mechanism, double cos_scatter) const {
-    constexpr int enough_sizes = 12;
     const auto& scatter = std::get<Scatter>(mechanism);
-    if (!scattering_ || !(scattering_->scatter == scatter))
-        scattering_ = std::make_shared<Scattering>(Scattering{scatter});
     const bool has_sizes = scatter.radius_spread > 0.0;
-    const int sizes = has_sizes ? std::max(enough_sizes, 2 * job_.sampling.radii) : 1;
+    const int sizes = has_sizes ? sizes_of_reference(job_.sampling.radii) : 1;
+    if (!scattering_ || !(scattering_->scatter == scatter))
+        scattering_ = std::make_shared<Scattering>(Scattering{scatter, sizes});
     // What is kept of every wavelength is as long as its spheres are large.
     const double length = sizes * largest_size_parameter(scatter, job_.light->settings.first_nm, sizes);
     const int most_cells = static_cast<int>(std::clamp(4e6 / length, 1024.0, 16384.0));
     const auto spectrum = [&](const std::vector<double>& nm) {
-        const auto& solver = scattering_->solvers.try_emplace(nm.size(), scatter, nm, sizes).first->second;
-        std::vector<double> seen(nm.size());
-        solver.seen(cos_scatter, mechanism.effects.polarisation, seen);
-        return seen;
+        return scattering_->seen(nm, cos_scatter, mechanism.effects.polarisation);
     };
     return integral(has_sizes ? 8.0 : 1.0, scattering_->cells, spectrum, most_cells);
 }

@@ -2,7 +2,8 @@
 //
 // In: a planned LUT, whose bound is split between the parts of its error. In this order:
 //   1. The sampling of spectra and sums, and the effects (choose_sampling.cpp), each within its share of the bound.
-//   2. A small bake, which says how bright the LUT is shown: colour differences depend on it.
+//   2. A small bake, which says how bright the LUT is shown: colour differences depend on it. The curve of step 4 says
+//      it better.
 //   3. If the scene requests `wavelengths`, the same bake by the true integral: the difference is the spectrum's
 //   error.
 //   4. In 1D, a curve of the colours, if they are expensive: a search asks for thousands of them. If the curve itself
@@ -33,8 +34,12 @@ constexpr double share_of_spread = 0.3;
 // Each of the other sums: directions below a base, radii, slices.
 constexpr double share_of_quadrature = 0.04;
 // The curve stands for the texels and for what they are compared with. What it is tested by is the polynomial before
-// the last points were added, which errs by more.
-constexpr double share_of_curve = 0.02;
+// the last points were added, which errs by more: at least twice as much (empirical).
+constexpr double share_of_curve = 0.04;
+constexpr double coarser_curve = 2.5;
+
+// Enough for the brightness of a LUT whose curve says it better (empirical).
+constexpr int columns_before_curve = 9;
 
 // Of the bound, up to which sums and means make a LUT larger.
 constexpr double most_share_of_quadrature = 0.25;
@@ -53,8 +58,8 @@ void choose_sampling_of(LutSurvey& survey, bool can_judge, const Care& care, con
     job.without = request.without;
     const double bound = request.max_de00;
     const bool may_drop = request.may_drop_effects && request.has_bound && can_judge;
-    const SamplingTolerance tolerance{tolerance_of_nodes(bound), share_of_spread * bound, share_of_quadrature * bound,
-                                      may_drop ? share_of_effects * bound : 0.0};
+    SamplingTolerance tolerance = sampling_tolerance(bound);
+    if (may_drop) tolerance.effects = share_of_effects * bound;
     ChosenSampling chosen = choose_sampling(job, tolerance, {request.sampling, care.least, survey.nodes}, after_step);
     job.sampling = std::move(chosen.sampling);
     job.without = chosen.without;
@@ -74,6 +79,12 @@ double error_of_wavelengths(const Image<Xyz>& truth, const Image<Xyz>& seen, dou
     return largest;
 }
 
+double scale_of(const ModelCurve& curve) {
+    Image<Xyz> colours(survey_columns, 1);
+    for (int i = 0; i < survey_columns; ++i) colours.at(i, 0) = curve.at(coordinate_of_texel(i, survey_columns));
+    return display_scale(colours);
+}
+
 // A palette is cheap, unless it has facets.
 bool is_expensive(const Job& job) {
     const bool has_facets = !job.without.has(Effect::tilt) && effects_in(job).has(Effect::tilt);
@@ -84,6 +95,10 @@ bool is_expensive(const Job& job) {
 
 double tolerance_of_nodes(double max_de00) {
     return share_of_nodes * max_de00;
+}
+
+SamplingTolerance sampling_tolerance(double max_de00) {
+    return {tolerance_of_nodes(max_de00), share_of_spread * max_de00, share_of_quadrature * max_de00, 0.0};
 }
 
 LutSurvey survey_lut(const PlannedLut& lut, bool can_judge, const Care& care, const AfterRow& after_step, Work& work) {
@@ -97,21 +112,26 @@ LutSurvey survey_lut(const PlannedLut& lut, bool can_judge, const Care& care, co
     const double bound = lut.request.max_de00;
     survey.spectrum_error = spectrum_error_of(survey.lut);
     survey.effort = Effort(job);
+    const bool is_sampled = job.light->settings.wavelengths.has_value();
+    const bool wants_curve = !is_sampled && !survey.is_2d() && is_expensive(job);
     Job sample = job;
-    sample.width = survey_columns;
+    sample.width = wants_curve ? columns_before_curve : survey_columns;
     sample.height = survey.is_2d() ? survey_rows : 1;
     const Image<Xyz> colours = bake(sample, {}, &work);
     survey.scale = display_scale(colours);
-    if (job.light->settings.wavelengths) {
-        const SamplingTolerance tolerance{tolerance_of_nodes(bound), 0.0, share_of_quadrature * bound, 0.0};
-        const Image<Xyz> truth = bake(integrated_job(sample, tolerance), {}, &work);
+    if (is_sampled) {
+        const Image<Xyz> truth = bake(integrated_job(sample, sampling_tolerance(bound)), {}, &work);
         survey.scale = display_scale(truth);
         survey.known.spectrum = std::max(survey.known.spectrum, error_of_wavelengths(truth, colours, survey.scale));
-    } else if (!survey.is_2d() && is_expensive(job)) {
-        std::optional<ModelCurve> curve = ModelCurve::within(survey.effort.most_curve_colours(), job,
-                                                             share_of_curve * bound, survey.scale, after_step);
-        if (curve) survey.curve = std::make_shared<const ModelCurve>(std::move(*curve));
-        if (survey.curve) work += survey.curve->work();
+    }
+    if (wants_curve) {
+        const double tolerance = care.share_of_curve * coarser_curve * share_of_curve * bound;
+        std::optional<ModelCurve> curve =
+            ModelCurve::within(survey.effort.most_curve_colours(), job, tolerance, survey.scale, after_step);
+        if (!curve) return survey;
+        survey.scale = scale_of(*curve);
+        work += curve->work();
+        survey.curve = std::make_shared<const ModelCurve>(std::move(*curve));
     }
     return survey;
 }

@@ -6,6 +6,7 @@
 
 #include "nacre/accuracy/care.h"
 #include "nacre/accuracy/choose_effects.h"
+#include "nacre/accuracy/choose_sampling.h"
 #include "nacre/accuracy/effort.h"
 #include "nacre/accuracy/error_split.h"
 #include "nacre/accuracy/model_curve.h"
@@ -46,6 +47,9 @@ LutSurvey survey_lut(const PlannedLut& lut, bool can_judge, const Care& care, co
 
 /// What nodes may err by at probes.
 double tolerance_of_nodes(double max_de00);
+
+/// What every sum may err by, where no effect is left out.
+SamplingTolerance sampling_tolerance(double max_de00);
 
 /// The part of the bound that an error may fill which a scan finds.
 double scannable_bound(const LutSurvey& survey);

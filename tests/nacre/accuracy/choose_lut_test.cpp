@@ -376,11 +376,11 @@ TEST(ChooseLut, TakesNoMoreEvaluationsThanItDid) {
         return work;
     };
     EXPECT_EQ(test::without_effects(choose_lut(requested_lut(test::job_of(test::morpho), 0.1), encoding).work),
-              work_of(4409, 1087, 3322));
+              work_of(3379, 1087, 2292));
     EXPECT_EQ(test::without_effects(choose_lut(requested_lut(test::job_of(test::beetle), 0.01), encoding).work),
-              work_of(4094, 575, 3519));
+              work_of(3074, 575, 2499));
     EXPECT_EQ(test::without_effects(choose_lut(requested_lut(width_plane(), 1.0), encoding).work),
-              work_of(97523, 5475, 92048));
+              work_of(88042, 5475, 82567));
 }
 
 }  // namespace

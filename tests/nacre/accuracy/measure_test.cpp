@@ -101,11 +101,11 @@ TEST(Measure, NoticesATexelThatIsOnePercentOff) {
     Rgb& texel = lut.stored.at(bright, 0);
     texel = {1.01 * texel.r, 1.01 * texel.g, 1.01 * texel.b};
     std::vector<LutPoint> suspects = lut.scan.worst;
-    suspects.push_back({bright / 1023.0, 0.0});
+    suspects.insert(suspects.begin(), {bright / 1023.0, 0.0});  // the worst comes first
     const Measured measured = measure(lut.job, lut.stored, encoding, suspects);
     EXPECT_LT(clean, 0.01);
     EXPECT_GT(measured.reached, 0.1);
-    EXPECT_EQ(measured.at, suspects.back());
+    EXPECT_EQ(measured.at, suspects.front());
 }
 
 TEST(Measure, NoticesWhatIsNotANumber) {

@@ -1,7 +1,7 @@
 // What each effect of a LUT costs.
 //
 // In: a LUT as it was chosen. The texels without an effect, or with one that was left out, are timed as a bake of them
-// would go: at the nodes that their own spectra need, and of tilted surfaces with the curve of facets' colours, whose
+// would go: with the sampling that is right for them, and of tilted surfaces with the curve of facets' colours, whose
 // number the choice remembers.
 #include "pipeline/effect_shares.h"
 
@@ -11,11 +11,10 @@
 #include <memory>
 #include <utility>
 
-#include "nacre/accuracy/choose_nodes.h"
 #include "nacre/accuracy/choose_sampling.h"
 #include "nacre/accuracy/effort.h"
-#include "nacre/accuracy/probes.h"
 #include "nacre/accuracy/survey.h"
+#include "nacre/colour/spectral_nodes.h"
 #include "nacre/cost/effect_cost.h"
 #include "nacre/lut/job.h"
 #include "pipeline/plan_seconds.h"
@@ -24,58 +23,19 @@
 namespace nacre {
 namespace {
 
-// Curves of facets' colours take about as many colours with an effect as without it.
-Job without_one_effect(const Job& job, Effect effect) {
-    Job changed = without_effect(job, effect);
-    if (effect != Effect::tilt) changed.sampling.facets = job.sampling.facets;
-    return changed;
-}
-
-// A job with an effect that was left out, sampled as it would have been.
-Job with_effect(const PlannedLut& lut, Effect effect) {
-    // What a survey allows sums to err by.
-    constexpr double share_of_spread = 0.3;
-    constexpr double share_of_quadrature = 0.04;
-    const double bound = lut.request.max_de00;
-    Job job = lut.job;
-    job.without.erase(effect);
-    job.sampling =
-        choose_sampling(job, {tolerance_of_nodes(bound), share_of_spread * bound, share_of_quadrature * bound, 0.0})
-            .sampling;
-    return job;
-}
-
-// Next to grazing there are many angles and few texels: a third of them show how many nodes another material needs
-// (empirical).
-void thin_out(Probes& probes) {
-    constexpr std::size_t step = 3;
-    for (Probe& probe : probes.bands.back()) {
-        std::vector<Geometry> kept;
-        for (std::size_t i = 0; i < probe.geometries.size(); i += step) kept.push_back(probe.geometries[i]);
-        probe.geometries = std::move(kept);
-    }
-}
-
 struct TooLong {};
 
-// The job at the nodes that its own spectra need; as it is where they are given, or where finding them takes too long.
-Job with_own_nodes(Job job, const PlannedLut& lut, const std::shared_ptr<NodeMaker>& nodes, double most_seconds,
-                   const Execution& execution) {
-    const bool is_given = job.light->settings.wavelengths || lut.request.sampling.nodes.front() > 0;
-    if (is_given || !samples_spectra(job.material.mechanism)) return job;
+// The job sampled as its own bake would be; as it is where finding that takes too long.
+Job with_own_sampling(Job job, const PlannedLut& lut, const std::shared_ptr<NodeMaker>& nodes, double most_seconds,
+                      const Execution& execution) {
     const double begin = thread_seconds();
     const auto in_time = [&] {
         execution.may_stop();
         if (thread_seconds() - begin > most_seconds) throw TooLong{};
     };
     try {
-        Probes probes = make_probes(job, in_time, nodes);
-        thin_out(probes);
-        ProbeTally tally;
-        ChosenNodes chosen =
-            choose_nodes(probes, job.sampling, tolerance_of_nodes(lut.request.max_de00), {}, {}, tally);
-        job.sampling.nodes = std::move(chosen.nodes);
-        job.sampling.incoherent_layers = std::move(chosen.incoherent_layers);
+        const SamplingRequest request{lut.request.sampling, {}, nodes, false};
+        job.sampling = choose_sampling(job, sampling_tolerance(lut.request.max_de00), request, in_time).sampling;
     } catch (const TooLong&) {
         return job;
     }
@@ -91,24 +51,23 @@ bool saves_nothing(const Job& job, const Job& less) {
 std::vector<Job> changed_jobs(const DecidedLut& decided, const Execution& execution) {
     const ChosenLut& chosen = decided.lut;
     const Job& job = chosen.lut.job;
-    // For the nodes without an effect, of all effects together: as long as deciding took. Chosen.
-    double left_seconds = decided.seconds;
+    // For the sampling without each effect, of all of them together, beside deciding itself. Chosen: without what blurs
+    // them, spectra may need hundreds of times as many nodes.
+    constexpr double most_times_deciding = 10.0;
+    double left_seconds = most_times_deciding * decided.seconds;
     const auto nodes = std::make_shared<NodeMaker>(job.light->weights);
     std::vector<Job> jobs;
     for (const EffectChoice& choice : chosen.effects) {
-        if (!choice.is_simulated) {
-            jobs.push_back(with_effect(chosen.lut, choice.effect));
-            continue;
-        }
-        Job less = without_one_effect(job, choice.effect);
-        // A mean over facets needs the nodes of what it is the mean of.
-        if (choice.effect != Effect::tilt) {
-            const double begin = thread_seconds();
-            less = with_own_nodes(std::move(less), chosen.lut, nodes, left_seconds, execution);
-            left_seconds -= thread_seconds() - begin;
-            if (saves_nothing(job, less)) less = job;
-        }
-        jobs.push_back(std::move(less));
+        Job changed = job;
+        if (choice.is_simulated)
+            changed = without_effect(std::move(changed), choice.effect);
+        else
+            changed.without.erase(choice.effect);
+        const double begin = thread_seconds();
+        changed = with_own_sampling(std::move(changed), chosen.lut, nodes, left_seconds, execution);
+        left_seconds -= thread_seconds() - begin;
+        if (choice.is_simulated && saves_nothing(job, changed)) changed = job;
+        jobs.push_back(std::move(changed));
     }
     return jobs;
 }

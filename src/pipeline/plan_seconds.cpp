@@ -121,7 +121,6 @@ ReferenceColours reference_colours(const ChosenLut& chosen) {
 }
 
 double seconds_of_measuring(const ChosenLut& chosen, const Execution& execution) {
-    constexpr double share_of_reference = 0.01;  // as measure() has it
     struct Timed {
         double x;
         double share;  // of an even axis
@@ -130,7 +129,7 @@ double seconds_of_measuring(const ChosenLut& chosen, const Execution& execution)
     constexpr std::array<Timed, 3> timed{{{0.06, 0.12}, {0.4, 0.44}, {0.75, 0.44}}};
     const ReferenceColours colours = reference_colours(chosen);
     execution.may_stop();
-    const Reference reference(colours.job, share_of_reference * chosen.lut.request.max_de00);
+    const Reference reference(colours.job, tolerance_of_reference(chosen.lut.request.max_de00));
     double first = 0.0;
     double mean = 0.0;
     // Of a material that is the same everywhere, the second colours find everything prepared; of another at every point

@@ -50,16 +50,16 @@ Both seconds_of_bakes(const Job& on, const Job& off) {
     return best;
 }
 
-// The same LUT without some effects, sampled as it is right for it; facets' colours are left to the bake.
+// The same LUT without some effects, sampled as is right for one whose size is free; facets' colours are left to the
+// bake.
 Job job_without(const DecidedLut& decided, const EffectSet& without) {
     PlannedLut lut = *decided.asked;
     const Job& job = decided.lut.lut.job;
     lut.request.without = without;
     lut.request.may_drop_effects = false;
-    lut.request.width = job.width;
-    if (job.y) lut.request.height = job.height;
-    lut.request.format = decided.lut.lut.format;
     Job chosen = choose_lut(lut, lut_encoding(decided.space(), lut.colour.gamut)).lut.job;
+    chosen.width = job.width;
+    chosen.height = job.height;
     chosen.sampling.facets.reset();
     return chosen;
 }

@@ -1,9 +1,11 @@
 #include "nacre/cost/cost_error.h"
 
-#include <algorithm>
+#include <memory>
 #include <optional>
+#include <utility>
 
 #include "nacre/accuracy/choose_lut.h"
+#include "nacre/accuracy/confirm_nodes.h"
 #include "nacre/accuracy/effort.h"
 #include "nacre/accuracy/measure.h"
 #include "nacre/accuracy/model_curve.h"
@@ -37,22 +39,31 @@ std::optional<ModelColours> model_colours(const Job& job, const AfterRow& after_
     return ModelColours{std::move(*curve), scale};
 }
 
-Scan scan_of(const CostCase& cost, const Image<Rgb>& stored, const Encoding& encoding, const AfterRow& after_step) {
-    if (!cost.fetch_at) {
-        if (const std::optional<ModelColours> model = model_colours(cost.job, after_step)) {
-            Trial trial(cost.job, stored, encoding, model->curve, model->scale);
-            return scan_errors(trial);
-        }
+// What twice as many nodes change of a texel.
+double error_of_nodes(const CostCase& cost, const std::optional<ModelColours>& model, const AfterRow& after_step) {
+    LutSurvey survey;
+    survey.lut.job = cost.job;
+    survey.lut.request.max_de00 = cost.sampled_for;
+    survey.lut.request.sampling.nodes = cost.job.sampling.counts().nodes;  // these, and no more
+    survey.nodes = std::make_shared<NodeMaker>(cost.job.light->weights);
+    if (model) {
+        survey.scale = model->scale;
+        survey.curve = std::make_shared<const ModelCurve>(model->curve);
     }
-    Trial trial(cost.job, stored, encoding, cost.fetch_at, after_step);
-    return scan_errors(trial);
+    Work work;
+    return confirm_nodes(survey, {cost.job.width, cost.job.height, PixelFormat::single_float}, cost.sampled_for,
+                         after_step, work)
+        .error;
 }
 
 }  // namespace
 
 double cost_error(const CostCase& cost, const Image<Rgb>& stored, const Encoding& encoding,
                   const AfterRow& after_step) {
-    const Scan scan = scan_of(cost, stored, encoding, after_step);
+    const std::optional<ModelColours> model = cost.fetch_at ? std::nullopt : model_colours(cost.job, after_step);
+    Trial trial = model ? Trial(cost.job, stored, encoding, model->curve, model->scale)
+                        : Trial(cost.job, stored, encoding, cost.fetch_at, after_step);
+    const Scan scan = scan_errors(trial);
     // As if nacre had chosen it.
     ChosenLut chosen;
     chosen.lut.job = cost.job;
@@ -60,6 +71,7 @@ double cost_error(const CostCase& cost, const Image<Rgb>& stored, const Encoding
     chosen.worst = scan.worst;
     chosen.from_model = scan.largest;
     chosen.model_points = scan.points;
+    if (!cost.fetch_at) chosen.of_nodes = error_of_nodes(cost, model, after_step);
     return measure(chosen, {}, stored, encoding).reached;
 }
 

@@ -44,17 +44,17 @@ void PrintTo(const Promise& promise, std::ostream* out) {
     *out << promise.name;
 }
 
-Mechanism gap(double thickness_nm) {
+Mechanism gap(double thickness_nm, double incident = 1.33) {
     Film film;
-    film.incident = 1.33;
+    film.incident = incident;
     film.index = 1.0;
     film.thickness_nm = thickness_nm;
     film.substrate = reference::named_index("ag");
     return film;
 }
 
-std::string gap_text(const std::string& thickness_nm) {
-    return "mechanism = \"film\"\nincident = 1.33\nindex = 1.0\nthickness_nm = " + thickness_nm +
+std::string gap_text(const std::string& thickness_nm, const std::string& incident = "1.33") {
+    return "mechanism = \"film\"\nincident = " + incident + "\nindex = 1.0\nthickness_nm = " + thickness_nm +
            "\nsubstrate = \"ag\"\n";
 }
 
@@ -130,6 +130,8 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(Promise{"Gap400", gap_text("400"), gap(400.0), "0.1", 1024},
                     Promise{"Gap800", gap_text("800"), gap(800.0), "0.1", 2048},
                     Promise{"Gap800Coarsely", gap_text("800"), gap(800.0), "0.2", 2048},
+                    // A line so narrow that a curve of the colours with this bound steps over it.
+                    Promise{"Gap1158", gap_text("1158", "1.93"), gap(1158.0, 1.93), "1", 4096},
                     Promise{"MirrorWithDefect", mirror_with_defect_text, mirror_with_defect(), "0.1", 128},
                     Promise{"PlainFilm", "mechanism = \"film\"\nindex = 1.33\nthickness_nm = 400\n", plain_film(),
                             "0.1", 128},

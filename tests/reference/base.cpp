@@ -26,10 +26,11 @@ double diffuse(const Base& base, double nm) {
 }  // namespace
 
 double base_factor(const std::vector<PlainLayers>& samples, const Base& base, double nm) {
-    constexpr int directions = 40;
     double reflected = 0.0, passed = 0.0;
     for (const PlainLayers& sample : samples) {
         const MediaAt media = media_at(sample, nm);
+        // The more layers, the finer are their fringes over the angle.
+        const int directions = 40 + 8 * static_cast<int>(sample.layers.size());
         const double n = media.index[1].real(), n_above = media.index[0].real();
         const double critical = n > n_above ? 1.0 - square(n_above / n) : 0.0;
         for (const auto& [from, to] : {std::pair{0.0, critical}, std::pair{critical, 1.0}}) {

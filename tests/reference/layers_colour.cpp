@@ -21,7 +21,8 @@ public:
           samples_(thickness_samples_of(scene.mechanism)) {
         const std::optional<Base>& base = scene.mechanism.effects.base;
         if (!base || std::holds_alternative<MetalBase>(*base)) return;
-        constexpr int intervals = 188;  // of 2.5 nm: what comes evenly from everywhere has blurred fringes
+        // Of 2.5 nm: what comes evenly from everywhere has blurred fringes; finer ones for many layers.
+        const int intervals = samples_.front().layers.size() > 20 ? 752 : 188;
         for (int i = 0; i <= intervals; ++i) {
             const double nm = light_begins_nm + (light_ends_nm - light_begins_nm) * static_cast<double>(i) / intervals;
             base_factor_.push_back(base_factor(samples_, *base, nm));

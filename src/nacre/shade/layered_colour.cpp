@@ -233,15 +233,37 @@ std::uint64_t LayeredColour::samples(const Incidence& incidence) const {
     return static_cast<std::uint64_t>(sampling_.nodes[band_of(incidence)]->count) * ensemble_.systems.size();
 }
 
+namespace {
+
+// With twice as many directions until no factor changes: at a single wavelength nothing averages over what too few miss
+// of the fringes of many layers. Of uneven layers there are none.
+std::vector<double> converged_base_factors(const Base& base, const LayerEnsemble& ensemble,
+                                           std::span<const double> wavelengths_nm) {
+    constexpr int directions_of_uneven_layers = 16;
+    constexpr int fewest_directions = 64;
+    constexpr int most_directions = 2048;
+    constexpr double tolerance = 1e-7;
+    if (ensemble.systems.size() > 1) return base_factors(base, ensemble, wavelengths_nm, directions_of_uneven_layers);
+    std::vector<double> factors = base_factors(base, ensemble, wavelengths_nm, fewest_directions);
+    for (int directions = 2 * fewest_directions; directions <= most_directions; directions *= 2) {
+        std::vector<double> more = base_factors(base, ensemble, wavelengths_nm, directions);
+        double largest = 0.0;
+        for (std::size_t i = 0; i < more.size(); ++i) largest = std::max(largest, std::abs(more[i] - factors[i]));
+        factors = std::move(more);
+        if (!(largest > tolerance)) break;
+    }
+    return factors;
+}
+
+}  // namespace
+
 LayeredSpectra::LayeredSpectra(const Mechanism& mechanism, std::span<const double> wavelengths_nm, int samples)
     : count_(wavelengths_nm.size()) {
     const LayerEnsemble ensemble = layer_ensemble(mechanism, samples, {}, spectrum_slices);
     shares_ = ensemble.shares;
     for (const LayerSystem& system : ensemble.systems) solvers_.emplace_back(system, wavelengths_nm);
     const Base* base = diffuse_base(mechanism.effects);
-    if (base == nullptr) return;
-    const int points = ensemble.systems.size() > 1 ? 16 : 64;
-    base_factors_ = base_factors(*base, ensemble, wavelengths_nm, points);
+    if (base != nullptr) base_factors_ = converged_base_factors(*base, ensemble, wavelengths_nm);
 }
 
 std::vector<Response> LayeredSpectra::at(const Incidence& incidence) const {

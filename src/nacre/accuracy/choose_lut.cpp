@@ -5,6 +5,7 @@
 #include "nacre/accuracy/choose_lut.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <limits>
 #include <utility>
 
@@ -56,6 +57,12 @@ bool is_in_doubt(const LutSurvey& survey, const FoundLut& found) {
     return judged_error(survey, found.scan.largest) < near * survey.lut.request.max_de00;
 }
 
+// Those of a confirmation, where they are more than the survey's.
+void set_nodes(const LutSurvey& survey, const NodeCounts& counts, SpectralSampling& sampling) {
+    if (counts == sampling.counts().nodes) return;
+    for (std::size_t band = 0; band < counts.size(); ++band) sampling.nodes[band] = survey.nodes->of(counts[band]);
+}
+
 // More nodes; if there were more already, or the scene gives them, a finer curve. Returns whether that is new.
 bool add_care(const LutSurvey& survey, Care& care) {
     const bool are_given = survey.lut.request.sampling.nodes.front() > 0;
@@ -91,14 +98,14 @@ ChosenLut choose_lut(const PlannedLut& lut, const Encoding& encoding, const Afte
             all += work;
             continue;
         }
-        const NodeCounts counts = survey.lut.job.sampling.counts().nodes;
-        ConfirmedNodes confirmed{counts};
+        ConfirmedNodes confirmed{survey.lut.job.sampling.counts().nodes};
         if (!found.jump)
             confirmed = confirm_nodes(survey, found.candidate, room_for_nodes(survey, found), after_step, work);
         all += work;
-        if (confirmed.counts == counts || round == most_rounds) {
+        if (!confirmed.were_wrong || round == most_rounds) {
             ChosenLut chosen = explain_lut(search, std::move(found), all);
             chosen.of_nodes = confirmed.error;
+            set_nodes(survey, confirmed.counts, chosen.lut.job.sampling);
             return chosen;
         }
         care.least.nodes = confirmed.counts;

@@ -150,6 +150,7 @@ ConfirmedNodes confirm_nodes(const LutSurvey& survey, const Candidate& size, dou
                 if (is_plain) confirmed.error = std::max(confirmed.error, error);
                 break;
             }
+            confirmed.were_wrong = confirmed.were_wrong || error > usual;
             count *= 2;
             colours = std::move(finer);
         }

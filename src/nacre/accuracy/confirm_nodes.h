@@ -9,8 +9,9 @@
 namespace nacre {
 
 struct ConfirmedNodes {
-    NodeCounts counts;   ///< that texels need: those of the survey, or more
-    double error = 0.0;  ///< CIEDE2000 that twice as many change of a texel; 0 where it was not looked for
+    NodeCounts counts;        ///< that texels need: those of the survey, or more
+    double error = 0.0;       ///< CIEDE2000 that twice as many change of a texel; 0 where it was not looked for
+    bool were_wrong = false;  ///< whether those of the survey err by more than usual, and so may what it led to
 };
 
 /// The nodes per band of angles that the texels of a LUT need: the survey's own, or so many times twice as many that

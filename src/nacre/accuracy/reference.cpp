@@ -9,6 +9,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <utility>
 
 #include "nacre/base/gauss_points.h"
 #include "nacre/colour/difference.h"
@@ -90,7 +91,8 @@ Xyz Reference::band(const Lobe& lobe) const {
     return sum;
 }
 
-// A spectrum is a parabola over every two steps, and is integrated piece by piece where the weights are smooth.
+// A spectrum is a parabola over every two steps, and is integrated piece by piece where the weights are straight: where
+// they are straight over both steps, by Simpson's rule, which is exact for a cubic.
 const Reference::Samples& Reference::samples(int cells) const {
     Samples& made = samples_[cells];
     if (!made.nm.empty()) return made;
@@ -98,9 +100,18 @@ const Reference::Samples& Reference::samples(int cells) const {
     for (int i = 0; i <= cells; ++i)
         made.nm.push_back(std::lerp(light.first_nm, light.last_nm, static_cast<double>(i) / cells));
     made.weights.resize(made.nm.size());
+    Xyz weight_at_end = weight_at(made.nm.front());
     for (std::size_t i = 2; i < made.nm.size(); i += 2) {
         const double from = made.nm[i - 2];
         const double to = made.nm[i];
+        const Xyz weight_at_begin = std::exchange(weight_at_end, weight_at(to));
+        if (next_kink(from) >= to) {
+            const double sixth_nm = (to - from) / 6.0;
+            add(made.weights[i - 2], sixth_nm, weight_at_begin);
+            add(made.weights[i - 1], 4.0 * sixth_nm, weight_at(made.nm[i - 1]));
+            add(made.weights[i], sixth_nm, weight_at_end);
+            continue;
+        }
         for (double left = from, right = from; left < to; left = right) {
             right = std::min(next_kink(left), to);
             for (const GaussPoint& point : rule_) {

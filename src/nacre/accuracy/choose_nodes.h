@@ -39,6 +39,6 @@ double seen_share_of_band(const Probes& probes, std::size_t band);
 
 /// Samples of uneven thicknesses while other numbers are chosen: their mean is about as smooth as that of all
 /// (empirical).
-inline constexpr int few_thickness_samples = 16;
+inline constexpr int few_thickness_samples = 8;
 
 }  // namespace nacre

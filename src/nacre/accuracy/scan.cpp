@@ -28,7 +28,7 @@ namespace {
 // How many points a side a cell gets, so that each LUT is scanned finely enough however few cells it has.
 constexpr int fewest_in_1d = 2;
 constexpr int fewest_in_2d = 2;
-constexpr int fewest_columns_in_1d = 1024;
+constexpr int fewest_columns_in_1d = 512;
 constexpr int fewest_columns_in_2d = 384;
 constexpr int fewest_rows = 96;
 

@@ -79,7 +79,7 @@ double seconds_of_facets(const Job& job) {
     if (job.sampling.facets == nullptr) return 0.0;
     // Each interval of the curve took about as many colours; some of them are timed.
     constexpr std::size_t most_intervals = 12;
-    const std::vector<double> borders = job.sampling.facets->borders();
+    const std::vector<double> borders = job.sampling.facets->colour().borders();
     const std::size_t intervals = borders.size() - 1;
     const std::size_t count = std::min(intervals, most_intervals);
     std::vector<double> middles;
@@ -88,7 +88,7 @@ double seconds_of_facets(const Job& job) {
         middles.push_back(0.5 * (borders[interval] + borders[interval + 1]));
     }
     const Job flat = flat_job(job);
-    const double colours = static_cast<double>(job.sampling.facets->colours()) / static_cast<double>(count);
+    const double colours = static_cast<double>(job.sampling.facets->colour().colours()) / static_cast<double>(count);
     Work work;
     PreparedColour prepared = prepare_colour(flat.material.mechanism, flat.sampling, *flat.light);
     const auto all = [&] {

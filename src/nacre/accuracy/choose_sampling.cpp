@@ -72,10 +72,14 @@ void choose_means(const Probes& probes, const SamplingTolerance& tolerance, cons
         chosen.spread_error = samples.error;
     }
     if (left.has(Effect::tilt) && only_tilt_moves(job)) {
-        Mechanism facet = probes.bands.front().front().simulated;
-        facet.effects.tilt_deg = 0.0;
-        sampling.facets =
-            std::make_shared<const XyzCurve>(facet_colours(probes, std::move(facet), sampling, chosen.without, tally));
+        const Probe& probe = probes.bands.front().front();
+        Mechanism facet = probe.simulated;
+        const double tilt_deg = std::exchange(facet.effects.tilt_deg, 0.0);
+        FacetColours facets(facet_colours(probes, std::move(facet), sampling, chosen.without, tally));
+        // For a mean it expands the curve once, which all LUTs of the search then share.
+        if (tilt_deg > 0.0)
+            facets.mean(tilt_deg, probe.geometries.front().incidence, work_of(tally.work.effects, Effect::tilt).points);
+        sampling.facets = std::make_shared<const FacetColours>(std::move(facets));
     }
 }
 

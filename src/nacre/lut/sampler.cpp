@@ -78,7 +78,7 @@ Lobe Sampler::lobe_at(double x, double y) {
 
 Xyz Sampler::tilted(const Incidence& incidence) {
     EffectWork& effort = work_of(work_.effects, Effect::tilt);
-    if (!facets_.is_made() && sampling_.facets != nullptr) facets_ = FacetColours(*sampling_.facets);
+    if (!facets_.is_made() && sampling_.facets != nullptr) facets_ = *sampling_.facets;
     if (!facets_.is_made()) {
         const auto colour = [&](const Incidence& facet) {
             ++effort.spectra;

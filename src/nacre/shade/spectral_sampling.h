@@ -7,11 +7,11 @@
 
 #include "nacre/colour/light.h"
 #include "nacre/colour/spectral_nodes.h"
-#include "nacre/colour/xyz_curve.h"
 #include "nacre/material/effects.h"
 #include "nacre/material/mechanism.h"
 #include "nacre/optics/incidence.h"
 #include "nacre/optics/layer_system.h"
+#include "nacre/shade/tilt.h"
 #include "nacre/shade/work.h"
 
 namespace nacre {
@@ -44,8 +44,9 @@ struct SpectralSampling {
     int slices = default_slices;                                                          ///< likewise
     /// Layers so thick that their fringes cannot be seen; they are computed as incoherent. Nodes of the layer system.
     std::vector<std::size_t> incoherent_layers;
-    /// Of a tilted surface: what one facet shows, before adaptation; null: made when it is asked for.
-    std::shared_ptr<const XyzCurve> facets;
+    /// Of a tilted surface: what one facet shows, before adaptation, with what its mean takes most time for; null: made
+    /// when it is asked for.
+    std::shared_ptr<const FacetColours> facets;
 
     bool is_decided() const { return nodes.front() != nullptr; }
     /// The nodes are 0 in all bands if not decided.

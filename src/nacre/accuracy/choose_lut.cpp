@@ -1,7 +1,8 @@
 // The choice of a LUT, in four steps: a survey of the material, a search for the size and format, a look at whether the
 // nodes of spectra do for the texels that were found, and a report. Each has a file of its own that says how:
 // survey.cpp, find_lut.cpp, confirm_nodes.cpp and explain_lut.cpp. Where the nodes do not, the first two steps are
-// taken again with more of them. Where the colour jumps nothing helps.
+// taken again with more of them; and once or twice more where the bound is missed by so little that nodes or the curve
+// may be at fault. Where the colour jumps nothing helps.
 #include "nacre/accuracy/choose_lut.h"
 
 #include <algorithm>

@@ -2,9 +2,9 @@
 //
 // In: the survey, whose nodes the probes agreed on, and the size that was found with them. Band by band, the texels'
 // colours are computed with the nodes and with twice as many; with the nodes themselves only where the survey's curve
-// is far from these. Where they differ by more than nodes may, a resonance
-// lies between the probes - a plasmon behind a gap, a mode of a cavity - and the count is doubled until they agree.
-// Facets are left out: their mean is smoother than what it is the mean of.
+// is far from these. Where they differ by more than nodes may, a resonance lies between the probes - a plasmon behind a
+// gap, a mode of a cavity - and the count is doubled until they agree. Facets are left out: their mean is smoother than
+// what it is the mean of.
 #include "nacre/accuracy/confirm_nodes.h"
 
 #include <algorithm>

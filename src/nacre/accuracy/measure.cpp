@@ -1,8 +1,7 @@
 // The error of a finished LUT, against the independent reference.
 //
 // In: the choice, the texels, and the numbers as they are in the file. Two comparisons make an upper estimate:
-//   1. The numbers, fetched as a shader does, with the bake's own model: everywhere, which the choice did. Where it
-//   took
+//   1. The numbers, fetched as a shader does, with the bake's own model. The choice did that everywhere; where it took
 //      colours from a curve, the model itself is asked at the texels, in the middles between them, and where the choice
 //      saw the largest errors.
 //   2. The model with the reference: at the points at which the LUT errs most, at the corners, and at points that are

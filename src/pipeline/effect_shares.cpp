@@ -72,6 +72,13 @@ std::vector<Job> changed_jobs(const DecidedLut& decided, const Execution& execut
     return jobs;
 }
 
+// With the curve of facets' colours, but without what deciding has already made of it for their mean.
+Job with_bare_facets(Job job) {
+    if (job.sampling.facets != nullptr)
+        job.sampling.facets = std::make_shared<const FacetColours>(job.sampling.facets->colour());
+    return job;
+}
+
 // Of each job, the least time of a few rounds: in turn, so that what else the machine does meets all of them.
 std::vector<double> seconds_of(const std::vector<Job>& jobs, const Execution& execution) {
     constexpr int most_rounds = 20;
@@ -98,6 +105,7 @@ std::vector<EffectShare> effect_shares(const DecidedLut& decided, const Executio
     if (decided.lut.effects.empty()) return effects;
     std::vector<Job> jobs = changed_jobs(decided, execution);
     jobs.push_back(decided.lut.lut.job);
+    for (Job& job : jobs) job = with_bare_facets(std::move(job));
     const std::vector<double> seconds = seconds_of(jobs, execution);
     const double whole = seconds.back();
     for (std::size_t i = 0; i < decided.lut.effects.size(); ++i) {

@@ -53,7 +53,7 @@ NodeCounts twice(NodeCounts counts) {
 
 // Whether a LUT misses its bound by so little that it may be the fault of the curve or of the nodes.
 bool is_in_doubt(const LutSurvey& survey, const FoundLut& found) {
-    constexpr double near = 1.25;
+    constexpr double near = 1.25;  // chosen
     if (found.is_reached || found.jump || !survey.curve) return false;
     return judged_error(survey, found.scan.largest) < near * survey.lut.request.max_de00;
 }

@@ -6,10 +6,11 @@
 // Sampler: linear filter, clamp to edge, no mip-maps, no sRGB decoding.
 // In ES declare it `uniform highp sampler2D lut;`, because lowp is the default.
 //
-// Half-vector form, for a light with a direction (point, spot, sun): the angle on the facet that mirrors L into V.
-//     nacre_fetch(lut, nacre_sqrt_cos_theta(dot(V, normalize(L + V))))
-// N.V form, for light from the mirror direction (environment map, probe, traced ray), and where there is no light:
-//     nacre_fetch(lut, nacre_sqrt_cos_theta(dot(N, V)))
+// A light with a direction (point, spot, sun): the angle on the facet that mirrors L into V.
+//     nacre_punctual(lut, L, V), that is nacre_fetch(lut, nacre_sqrt_cos_theta(dot(V, normalize(L + V))), 0.0)
+// Light from all around (environment map, probe), and where there is no light; rows over the roughness, from 0 to 1:
+//     nacre_environment(lut, N, V, roughness), that is nacre_fetch(lut, nacre_sqrt_cos_theta(dot(N, V)), roughness)
+// L, V and N have length 1. With another axis x or other rows use nacre_fetch and the functions of these axes.
 // Gratings; t lies across the grooves, p is the part of L + V in the surface, a its angle to t (0 to 90 degrees):
 //     nacre_fetch(lut, nacre_grating_u(dot(L + V, t)))
 //     nacre_fetch(lut, nacre_grating_u(length(p)), nacre_parameter(a, 0.0, 90.0))
@@ -72,4 +73,15 @@ highp vec3 nacre_fetch(highp sampler2D lut, highp float x, highp float y) {
 
 highp vec3 nacre_fetch(highp sampler2D lut, highp float x) {
     return nacre_fetch(lut, x, 0.0);
+}
+
+// What a facet mirrors from L to V, in the row of no roughness. The cosine of half the angle between L and V is
+// dot(V, normalize(L + V)).
+highp vec3 nacre_punctual(highp sampler2D lut, highp vec3 L, highp vec3 V) {
+    return nacre_fetch(lut, nacre_sqrt_cos_theta(sqrt(clamp(0.5 + 0.5 * dot(L, V), 0.0, 1.0))), 0.0);
+}
+
+// What facets of that roughness mirror of even light. Multiply by the engine's own energy term for a white metal.
+highp vec3 nacre_environment(highp sampler2D lut, highp vec3 N, highp vec3 V, highp float roughness) {
+    return nacre_fetch(lut, nacre_sqrt_cos_theta(dot(N, V)), roughness);
 }

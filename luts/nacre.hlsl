@@ -6,10 +6,11 @@
 // Sampler: linear filter, clamp to edge, no mip-maps, no sRGB decoding.
 // Unreal's Custom node: include this text as a .ush file; a texture input `lut` brings its `lutSampler`.
 //
-// Half-vector form, for a light with a direction (point, spot, sun): the angle on the facet that mirrors L into V.
-//     nacre_fetch(lut, lut_sampler, nacre_sqrt_cos_theta(dot(V, normalize(L + V))))
-// N.V form, for light from the mirror direction (environment map, probe, traced ray), and where there is no light:
-//     nacre_fetch(lut, lut_sampler, nacre_sqrt_cos_theta(dot(N, V)))
+// A light with a direction (point, spot, sun): the angle on the facet that mirrors L into V.
+//     nacre_punctual(lut, lut_sampler, L, V), that is nacre_fetch(lut, lut_sampler, nacre_sqrt_cos_theta(dot(V, normalize(L + V))), 0.0)
+// Light from all around (environment map, probe), and where there is no light; rows over the roughness, from 0 to 1:
+//     nacre_environment(lut, lut_sampler, N, V, roughness), that is nacre_fetch(lut, lut_sampler, nacre_sqrt_cos_theta(dot(N, V)), roughness)
+// L, V and N have length 1. With another axis x or other rows use nacre_fetch and the functions of these axes.
 // Gratings; t lies across the grooves, p is the part of L + V in the surface, a its angle to t (0 to 90 degrees):
 //     nacre_fetch(lut, lut_sampler, nacre_grating_u(dot(L + V, t)))
 //     nacre_fetch(lut, lut_sampler, nacre_grating_u(length(p)), nacre_parameter(a, 0.0, 90.0))
@@ -74,4 +75,15 @@ float3 nacre_fetch(Texture2D lut, SamplerState lut_sampler, float x, float y) {
 
 float3 nacre_fetch(Texture2D lut, SamplerState lut_sampler, float x) {
     return nacre_fetch(lut, lut_sampler, x, 0.0);
+}
+
+// What a facet mirrors from L to V, in the row of no roughness. The cosine of half the angle between L and V is
+// dot(V, normalize(L + V)).
+float3 nacre_punctual(Texture2D lut, SamplerState lut_sampler, float3 L, float3 V) {
+    return nacre_fetch(lut, lut_sampler, nacre_sqrt_cos_theta(sqrt(clamp(0.5 + 0.5 * dot(L, V), 0.0, 1.0))), 0.0);
+}
+
+// What facets of that roughness mirror of even light. Multiply by the engine's own energy term for a white metal.
+float3 nacre_environment(Texture2D lut, SamplerState lut_sampler, float3 N, float3 V, float roughness) {
+    return nacre_fetch(lut, lut_sampler, nacre_sqrt_cos_theta(dot(N, V)), roughness);
 }

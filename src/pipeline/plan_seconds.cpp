@@ -57,10 +57,10 @@ double once_through(const Job& job, const std::vector<double>& columns, const st
     return seconds;
 }
 
-// Without the tilt, over the angle alone. @pre the material is the same at all texels but for its tilt
+// Without facets, over the angle alone. @pre the material is the same at all texels but for its relief
 Job flat_job(Job job) {
     job.material.mechanism = simulated_at(job, 0.0, 0.0);
-    job.material.mechanism.effects.tilt_deg = 0.0;
+    job.material.mechanism.effects.relief = {};
     job.sampling.facets.reset();
     job.x = default_axis();
     job.y.reset();
@@ -113,9 +113,9 @@ ReferenceColours reference_colours(const ChosenLut& chosen) {
     constexpr double colours_of_facet_curve = 70.0;  // of the reference's, empirical as in accuracy/measure.cpp
     const Job& job = chosen.lut.job;
     ReferenceColours colours{job, static_cast<double>(bake_work(job, chosen.worst.size()).references)};
-    if (!effects_in(job).has(Effect::tilt)) return colours;
+    if (!effects_in(job).has_any(facet_effects)) return colours;
     if (job.sampling.facets != nullptr) return {flat_job(job), colours_of_facet_curve};
-    colours.job.material.mechanism.effects.tilt_deg = 0.0;
+    colours.job.material.mechanism.effects.relief = {};
     colours.count *= job.moves_material() ? colours_of_facet_curve : 1.0;
     return colours;
 }

@@ -21,9 +21,9 @@
 #include "nacre/base/gauss_points.h"
 #include "nacre/cost/baselines.h"
 #include "nacre/lut/planned_lut.h"
+#include "nacre/shade/facets.h"
 #include "nacre/shade/layered_colour.h"
 #include "nacre/shade/prepared_colour.h"
-#include "nacre/shade/tilt.h"
 #include "pipeline/baked_lut.h"
 
 namespace nacre::bench {
@@ -59,13 +59,13 @@ void compare(benchmark::State& state, const Job& job, const Job& plain, const Wa
 
 Colours facet_by_facet(const Job& job, TiltPoints points) {
     Mechanism flat = job.material.mechanism;
-    const double tilt_deg = std::exchange(flat.effects.tilt_deg, 0.0);
+    const double tilt_deg = std::exchange(flat.effects.relief.tilt_deg, 0.0);
     PreparedColour prepared = prepare_colour(flat, job.sampling, *job.light);
     Work work;
     Colours colours;
     for (int i = 0; i < texels; ++i) {
         Xyz sum;
-        for (const Facet& facet : visible_facets(tilt_deg, geometry_of_texel(job, i).incidence, points)) {
+        for (const Facet& facet : tilted_facets(tilt_deg, geometry_of_texel(job, i).incidence, points)) {
             const Xyz seen = colour_at(prepared, Incidence::from_cos(facet.cos_theta), work);
             sum = {sum.x + facet.share * seen.x, sum.y + facet.share * seen.y, sum.z + facet.share * seen.z};
         }
@@ -75,7 +75,7 @@ Colours facet_by_facet(const Job& job, TiltPoints points) {
 }
 void tilted(benchmark::State& state, Mechanism mechanism) {
     const Mechanism flat = mechanism;
-    mechanism.effects.tilt_deg = 10.0;
+    mechanism.effects.relief.tilt_deg = 10.0;
     const Job job = decided(mechanism);
     compare(
         state, job, decided(flat),
@@ -197,7 +197,7 @@ void stack_in_s_light(benchmark::State& state) {
 void decide_and_bake(benchmark::State& state, double strength) {
     Mechanism mechanism = film();
     std::get<Film>(mechanism).thickness_spread_nm = 20.0 * strength;
-    mechanism.effects.tilt_deg = 10.0 * strength;
+    mechanism.effects.relief.tilt_deg = 10.0 * strength;
     mechanism.effects.base = GreyBase{0.3 * strength * strength};
     PlannedLut lut;
     lut.name = "film";

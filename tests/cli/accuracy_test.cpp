@@ -196,7 +196,8 @@ TEST(Plan, IsATableOfWhatWillBeBakedAndWritesNothing) {
     EXPECT_NE(one.find("128 x 1  half    exact       0.40 of 0.5"), std::string::npos) << one;
     EXPECT_NE(two.find("height 0 to 1"), std::string::npos) << two;
     const std::string every =
-        ": dispersion, absorption, polarisation, incoherent_layers, thickness_spread, base, tilt, higher_orders, "
+        ": dispersion, absorption, polarisation, incoherent_layers, thickness_spread, base, tilt, roughness, "
+        "higher_orders, "
         "size_spread";
     EXPECT_EQ(absent, (std::vector<std::string>{"effects not in one" + every, "effects not in two" + every}));
     EXPECT_EQ(notes, (std::vector<std::string>{

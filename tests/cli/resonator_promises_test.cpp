@@ -84,7 +84,7 @@ Mechanism rose_gold() {
     const Layer high = layer_of(tio2(), 72.6), low = layer_of(reference::named_index("sio2"), 120.1);
     Mechanism mechanism = Stack{1.0, {periods_of(2, high, low), high}, 1.5, 0.0};
     mechanism.effects.base = MetalBase{reference::named_index("au")};
-    mechanism.effects.tilt_deg = 2.0;
+    mechanism.effects.relief.tilt_deg = 2.0;
     return mechanism;
 }
 

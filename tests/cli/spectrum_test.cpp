@@ -306,7 +306,7 @@ TEST(SpectrumPoints, SayWhatIsWrongWithAHeadingOrAParameter) {
         "nacre: p.csv:1:20: a colour has no wavelength; leave out the column wavelength_nm, or --xyz and --rgb\n");
     EXPECT_EQ(refusal("material,angle_deg,wavelength_nm,width_nm\nwater,0,500,20\n"),
               "nacre: p.csv:2:13: mechanism film has no parameter \"width_nm\"; known: thickness_nm, "
-              "thickness_spread_nm, n, k, substrate.n, substrate.k, tilt_deg\n");
+              "thickness_spread_nm, n, k, substrate.n, substrate.k, tilt_deg, roughness\n");
     EXPECT_EQ(refusal("material,angle_deg,wavelength_nm,thickness_nm\nwater,0,500,-20\n"),
               "nacre: p.csv:2:13: thickness_nm = -20 is out of range; allowed [0, 1e+08] nm\n");
     EXPECT_EQ(refusal("material,grating_u,wavelength_nm\nwater,0,500\n"),

@@ -102,14 +102,15 @@ TEST_P(BakedLut1D, AShaderFetchesTheCoresOwnValueAtTenThousandCosines) {
 
 /// The largest CIEDE2000 between what a shader fetched and the model, at the scale of the brightest texel.
 double largest_difference(const Baked& baked, const std::vector<Rgb>& fetched,
-                          const std::function<double(double)>& coordinate) {
+                          const std::function<std::array<double, 2>(const std::array<float, 4>&)>& coordinates) {
     const auto inputs = random_inputs();
     const double scale = display_scale(baked.transform.to_xyz(baked.stored));
     Sampler model(baked.lut.job);
     double largest = 0.0;
     for (std::size_t i = 0; i < inputs.size(); ++i) {
         const Xyz seen = baked.transform.to_xyz(Image<Rgb>(1, 1, fetched[i])).at(0, 0);
-        const Xyz exact = model.at(coordinate(static_cast<double>(inputs[i][0])));
+        const auto [x, y] = coordinates(inputs[i]);
+        const Xyz exact = model.at(x, y);
         largest = std::max(largest, difference_at(seen, exact, scale));
     }
     return largest;
@@ -119,7 +120,9 @@ double largest_difference(const Baked& baked, const std::vector<Rgb>& fetched,
 void expect_keeps_its_bound(ShaderVariant variant, const std::string& scene, const std::string& expression,
                             const std::function<double(double)>& coordinate) {
     const Baked baked = bake_and_read(scene);
-    const double largest = largest_difference(baked, fetch(baked, variant, expression), coordinate);
+    const double largest = largest_difference(baked, fetch(baked, variant, expression), [&](const auto& input) {
+        return std::array<double, 2>{coordinate(static_cast<double>(input[0])), 0.0};
+    });
     EXPECT_LE(largest, baked.lut.request.max_de00);
     EXPECT_GT(largest, 0.2 * baked.lut.request.max_de00);  // or it was not the worst that was looked at
 }
@@ -173,6 +176,71 @@ TEST_P(BakedLut1D, TwoDimensionalLutIsFetchedOverTheAngleAndTheParameter) {
                                                                  static_cast<double>(input[1])};
                                 }),
                   tolerance);
+    }
+}
+
+// Both forms of a lit material: row 0 at the facet that mirrors the light, the row of the roughness at N and V.
+TEST_P(BakedLut1D, RoughSurfacesAreFetchedByLightAndByEnvironment) {
+    const std::string vec3 = GetParam() == ShaderVariant::hlsl ? "float3" : "vec3";
+    const std::string to_eye = vec3 + "(sqrt(1.0 - value.x * value.x), 0.0, value.x)";
+    const std::string to_light = vec3 + "(-sqrt(1.0 - value.x * value.x), 0.0, value.x)";
+    const std::string rows = "[lut.a]\ny = { parameter = \"roughness\", from = 0, to = 1 }\nmax_de00 = 0.5\n";
+    const std::string soap = "[material.s]\nmechanism = \"film\"\nindex = 1.33\nthickness_nm = 400\n";
+    for (const std::string& scene : {soap + rows, beetle + rows}) {
+        const Baked baked = bake_and_read(scene);
+        const std::string punctual = "nacre_punctual(LUT, " + to_light + ", " + to_eye + ")";
+        const std::string environment = "nacre_environment(LUT, " + vec3 + "(0.0, 0.0, 1.0), " + to_eye + ", value.y)";
+        const auto cosine = [](const auto& input) { return std::sqrt(static_cast<double>(input[0])); };
+        const double of_light = largest_difference(baked, fetch(baked, GetParam(), punctual), [&](const auto& input) {
+            return std::array<double, 2>{cosine(input), 0.0};
+        });
+        const double of_environment =
+            largest_difference(baked, fetch(baked, GetParam(), environment), [&](const auto& input) {
+                return std::array<double, 2>{cosine(input), static_cast<double>(input[1])};
+            });
+        EXPECT_LE(of_light, baked.lut.request.max_de00);
+        EXPECT_LE(of_environment, baked.lut.request.max_de00);
+        EXPECT_GT(of_environment, 0.2 * baked.lut.request.max_de00);
+    }
+}
+
+// The function as luts/README.md prints it.
+std::string lit_material() {
+    std::ifstream page(std::string(NACRE_SOURCE_DIR) + "/luts/README.md");
+    std::string code;
+    for (std::string line; std::getline(page, line);) {
+        if (code.empty() && line.find("vec3 nacre_lit(") == std::string::npos) continue;
+        code += line + "\n";
+        if (line == "    }") break;
+    }
+    return code;
+}
+
+TEST(LitMaterial, OfThePageIsTheEnvironmentTimesItsEnergyWithoutALight) {
+    const Baked baked = bake_and_read(
+        "[material.s]\nmechanism = \"film\"\nindex = 2.4\nthickness_nm = 130\nsubstrate = \"cr\"\n[lut.a]\n"
+        "y = { parameter = \"roughness\", from = 0, to = 1 }\nmax_de00 = 0.5\n");
+    const std::string eye = "vec3(sqrt(1.0 - value.x * value.x), 0.0, value.x)";
+    const std::string up = "vec3(0.0, 0.0, 1.0)";
+    const auto run = [&](const std::string& expression) {
+        return run_shader({ShaderVariant::glsl_450,
+                           snippet(ShaderLanguage::glsl) + lit_material(),
+                           baked.stored,
+                           random_inputs(),
+                           expression,
+                           {}});
+    };
+    const auto lit = [&](const std::string& light, const std::string& sky) {
+        return run("nacre_lit(LUT, " + up + ", " + eye + ", " + up + ", vec3(" + light + "), vec3(" + sky +
+                   "), vec2(0.5, 0.25), value.y)");
+    };
+    const std::vector<Rgb> under_sky = lit("0.0", "2.0");
+    const std::vector<Rgb> fetched = run("nacre_environment(LUT, " + up + ", " + eye + ", value.y)");
+    const std::vector<Rgb> under_light = lit("1.0", "0.0");
+    for (std::size_t i = 0; i < fetched.size(); ++i) {
+        EXPECT_NEAR(under_sky[i].g, 1.5 * fetched[i].g, 1e-5);
+        EXPECT_GE(under_light[i].g, 0.0);
+        EXPECT_TRUE(std::isfinite(under_light[i].g));
     }
 }
 

@@ -60,7 +60,7 @@ TEST_P(BadScene, IsOneLineThatSaysWhereAndWhat) {
 const std::vector<Mistake> mistakes{
     {"UnknownTopKey", "illuminant = \"D65\"\n" + scene(""), ":1:1: unknown key \"illuminant\"; did you mean light?"},
     {"UnknownKey", scene("colour = \"red\"\n"),
-     ":4:1 [material.m]: unknown key \"colour\"; known: mechanism, picks, shape, tilt_deg"},
+     ":4:1 [material.m]: unknown key \"colour\"; known: mechanism, picks, shape, tilt_deg, roughness"},
     {"MisspeltRequiredKey", "[material.m]\npiks = []\n",
      ":2:1 [material.m]: unknown key \"piks\"; did you mean picks?"},
     {"MisspeltHeading", "[materail.m]\n", ":1:2: unknown key \"materail\"; did you mean material?"},
@@ -259,7 +259,7 @@ const std::vector<Mistakes> many_mistakes{
      "s.toml:3:1 [material.m]: unknown key \"ior\"; did you mean index?\n"
      "s.toml:4:1 [material.m]: unknown key \"foo_bar_baz\"; known: mechanism, incident, index, thickness_nm, "
      "substrate, "
-     "thickness_spread_nm, base, tilt_deg, polarisation\n"
+     "thickness_spread_nm, base, tilt_deg, roughness, polarisation\n"
      "s.toml:1:1 [material.m]: thickness_nm is missing; it is required"},
     {"OfEverySection",
      "[accuracy]\nmax_de00 = 0\n[light]\nobserver = \"me\"\nrange_nm = [1, 2]\n[colour]\ngamut = \"fold\"\nspce = "
@@ -310,7 +310,7 @@ TEST(MistakesOfAScene, AfterTwentyAreCounted) {
         text += "wrong_key_" + std::to_string(i) + " = 1\n";
         if (i <= 20) {
             expected += "s.toml:" + std::to_string(3 + i) + ":1 [material.m]: unknown key \"wrong_key_" +
-                        std::to_string(i) + "\"; known: mechanism, picks, shape, tilt_deg\n";
+                        std::to_string(i) + "\"; known: mechanism, picks, shape, tilt_deg, roughness\n";
         }
     }
     EXPECT_EQ(message_of(text), expected + "... and 7 more");

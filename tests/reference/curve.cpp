@@ -106,7 +106,7 @@ ModelXyz ModelCurve::at(double x) const {
 
 ModelCurve curve_of_layers(const ModelScene& scene, double tolerance) {
     ModelScene flat = scene;
-    flat.mechanism.effects.tilt_deg = 0.0;
+    flat.mechanism.effects.relief = {};
     const auto model = std::make_shared<Model>(flat);
     double brightest = 0.0;
     for (const double own_x : {0.02, 0.3, 0.5, 0.7, 1.0})
@@ -116,8 +116,8 @@ ModelCurve curve_of_layers(const ModelScene& scene, double tolerance) {
         return is_own ? x : std::sqrt(cosine_at(axis, x, pi_number));
     };
     const auto exact = [=](double own_x) { return model->resolved(own_x, 0.0, resolved_to * brightest); };
-    const double tilt_deg = scene.mechanism.effects.tilt_deg;
-    if (tilt_deg == 0.0)
+    const Relief relief = scene.mechanism.effects.relief;
+    if (relief.is_plane())
         return ModelCurve([=](double x) { return exact(own(x)); }, critical_coordinates(scene), tolerance);
     flat.x = ModelAxis::sqrt_cos_theta;
     const auto even = std::make_shared<ModelCurve>(exact, critical_coordinates(flat), tolerance);
@@ -129,7 +129,7 @@ ModelCurve curve_of_layers(const ModelScene& scene, double tolerance) {
         const double own_x = own(x);
         const double theta_deg = 2.0 * std::asin(std::sqrt(0.5 * (1.0 - own_x) * (1.0 + own_x))) * 180.0 / pi_number;
         ModelXyz sum;
-        for (const ModelFacet& facet : facets_seen(tilt_deg, theta_deg, bends_deg))
+        for (const ModelFacet& facet : facets_seen(relief, theta_deg, bends_deg))
             sum = plus(sum, facet.share, even->at(std::sqrt(facet.cos_beta)));
         return sum;
     };

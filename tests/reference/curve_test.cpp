@@ -77,7 +77,7 @@ TEST(ModelCurve, BlursByFacetsAsTheModelDoes) {
     film.thickness_nm = 300.0;
     film.substrate = 1.8;
     scene.mechanism = film;
-    scene.mechanism.effects.tilt_deg = 6.0;
+    scene.mechanism.effects.relief.tilt_deg = 6.0;
     const ModelCurve curve = curve_of_layers(scene);
     const Model model(scene, 1e-5, 1.0);
     for (const double x : {0.05, 0.3, 0.55, 0.8, 0.99}) EXPECT_LE(difference(curve.at(x), model.at(x), 1.0), 1e-3) << x;

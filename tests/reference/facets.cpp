@@ -58,4 +58,48 @@ std::vector<ModelFacet> facets_seen(double tilt_deg, double theta_deg, const std
     return facets;
 }
 
+std::vector<ModelFacet> rough_facets_seen(double roughness, double theta_deg, int side) {
+    const double alpha = roughness * roughness;
+    const double theta = theta_deg * std::numbers::pi / 180.0;
+    const double eye_x = std::sin(theta), eye_z = theta_deg == 90.0 ? 0.0 : std::cos(theta);
+    const auto lambda = [&](double cosine) {
+        return 0.5 * (std::sqrt(1.0 + square(alpha) * (1.0 / square(cosine) - 1.0)) - 1.0);
+    };
+    // The eye in the space where the surface is a half sphere of radius 1, and two directions across it.
+    const double length = std::hypot(alpha * eye_x, eye_z);
+    const double x = alpha * eye_x / length, z = eye_z / length;
+    const double half_seen = 0.5 * (1.0 + z);
+    std::vector<ModelFacet> facets;
+    double whole = 0.0;
+    for (int i = 0; i < side * side; ++i) {
+        // Crowded at the rim, where the steepest facets are.
+        const int ring = i / side;
+        const double from_rim = 1.0 - (ring + 0.5) / side;
+        const double radius = std::sqrt((1.0 - square(from_rim)) * (1.0 + square(from_rim)));
+        const double turn = 2.0 * std::numbers::pi * (i % side + 0.5) / side;
+        const double across = radius * std::cos(turn);
+        const double up = (1.0 - half_seen) * std::sqrt(1.0 - square(across)) + half_seen * radius * std::sin(turn);
+        const double towards = std::sqrt(std::max(1.0 - square(across) - square(up), 0.0));
+        const double h_x = alpha * (towards * x - up * z), h_y = alpha * across;
+        const double h_z = std::max(towards * z + up * x, 0.0);
+        const double norm = std::sqrt(square(h_x) + square(h_y) + square(h_z));
+        const double cos_beta = (eye_x * h_x + eye_z * h_z) / norm;
+        const double light_z = 2.0 * cos_beta * h_z / norm - eye_z;
+        if (!(light_z > 0.0) || !(cos_beta > 0.0)) continue;
+        const double lit =
+            eye_z > 0.0 ? (1.0 + lambda(eye_z)) / (1.0 + lambda(eye_z) + lambda(std::min(light_z, 1.0))) : 1.0;
+        const double share = lit * from_rim * square(from_rim);
+        facets.push_back({std::min(cos_beta, 1.0), share});
+        whole += share;
+    }
+    for (ModelFacet& facet : facets) facet.share /= whole;
+    return facets;
+}
+
+std::vector<ModelFacet> facets_seen(const Relief& relief, double theta_deg, const std::vector<double>& bends_deg) {
+    constexpr int side = 384;
+    return relief.roughness > 0.0 ? rough_facets_seen(relief.roughness, theta_deg, side)
+                                  : facets_seen(relief.tilt_deg, theta_deg, bends_deg);
+}
+
 }  // namespace nacre::reference

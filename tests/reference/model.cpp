@@ -44,10 +44,12 @@ struct Model::Parts {
             palette = std::make_unique<PaletteModel>(*of_picks, scene.y, light);
         else
             flat = flat_colour(scene, light);
-        // What is measured bends at its angles: that is asked facet by facet.
-        if (scene.mechanism.effects.tilt_deg == 0.0 || std::holds_alternative<MeasuredSpectra>(scene.mechanism)) return;
+        // What is measured bends at its angles: of the few hundred facets of a tilt each is asked.
+        const Relief& relief = scene.mechanism.effects.relief;
+        const bool is_measured = std::holds_alternative<MeasuredSpectra>(scene.mechanism);
+        if (relief.is_plane() || (is_measured && relief.tilt_deg > 0.0)) return;
         // Palettes bend at their picks, and cost nothing; fringes towards grazing are what others need points for.
-        const int intervals = palette ? 8192 : 192;
+        const int intervals = palette ? 8192 : is_measured ? 2048 : 192;
         for (int i = intervals; i >= 0; --i) curve.push_back(without_facets(static_cast<double>(i) / intervals, 0.0));
         std::reverse(curve.begin(), curve.end());
     }
@@ -73,7 +75,7 @@ struct Model::Parts {
         const double theta_deg =
             2.0 * std::asin(std::sqrt(0.5 * (1.0 - own_x) * (1.0 + own_x))) * 180.0 / std::numbers::pi;
         ModelXyz sum;
-        for (const ModelFacet& facet : facets_seen(scene.mechanism.effects.tilt_deg, theta_deg)) {
+        for (const ModelFacet& facet : facets_seen(scene.mechanism.effects.relief, theta_deg)) {
             const double of_facet = std::sqrt(facet.cos_beta);
             sum = plus(sum, facet.share, curve.empty() ? without_facets(of_facet, 0.0) : cubic_at(curve, of_facet));
         }
@@ -90,8 +92,8 @@ ModelXyz Model::at(double x, double y) const {
     const ModelAxis axis = parts_->scene.x;
     const bool is_own = axis == ModelAxis::of_mechanism || axis == ModelAxis::sqrt_cos_theta;
     const double own_x = is_own ? x : std::sqrt(cosine_at(axis, x, std::numbers::pi));
-    return parts_->scene.mechanism.effects.tilt_deg == 0.0 ? parts_->without_facets(own_x, y)
-                                                           : parts_->with_facets(own_x);
+    return parts_->scene.mechanism.effects.relief.is_plane() ? parts_->without_facets(own_x, y)
+                                                             : parts_->with_facets(own_x);
 }
 
 ModelXyz Model::resolved(double own_x, double y, double tolerance) const {

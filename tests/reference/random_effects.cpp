@@ -59,7 +59,7 @@ Base random_base(Dice& dice) {
 void refine_layers(Dice& dice, Mechanism& mechanism, bool may_have_base) {
     Effects& effects = mechanism.effects;
     if (may_have_base && dice.chance(0.6)) effects.base = random_base(dice);
-    if (dice.chance(0.35)) effects.tilt_deg = dice.of_any_size(0.02, 25.0);
+    if (dice.chance(0.35)) effects.relief.tilt_deg = dice.of_any_size(0.02, 25.0);
     if (dice.chance(0.3)) effects.polarisation = dice.chance(0.5) ? Polarisation::s : Polarisation::p;
 }
 
@@ -175,7 +175,7 @@ Mechanism random_palette(Dice& dice) {
         angle_deg += dice.between(15.0, 35.0);
     }
     Mechanism mechanism = palette;
-    mechanism.effects.tilt_deg = dice.of_any_size(0.02, 25.0);
+    mechanism.effects.relief.tilt_deg = dice.of_any_size(0.02, 25.0);
     return mechanism;
 }
 
@@ -191,6 +191,9 @@ ModelScene random_one(int index) {
                       : kind < 0.83 ? random_scatter(dice)
                       : kind < 0.93 ? random_grating(dice)
                                     : random_palette(dice);
+    // Every other tilted surface is a rough one instead.
+    Relief& relief = scene.mechanism.effects.relief;
+    if (index % 2 == 0 && relief.tilt_deg > 0.0) relief = {0.0, relief.tilt_deg / 25.0};
     if (dice.chance(0.3)) scene.illuminant = dice.chance(0.5) ? "A" : "FL11";
     scene.observer_deg = dice.chance(0.25) ? 10 : 2;
     scene.max_de00 = bounds[static_cast<std::size_t>(index % 3)];

@@ -108,7 +108,7 @@ void refine(Dice& dice, Mechanism& mechanism) {
         else
             mechanism.effects.base = MetalBase{named_index(dice.one_of(mirrors))};
     } else {
-        mechanism.effects.tilt_deg = dice.between(0.5, 20.0, 10.0);
+        mechanism.effects.relief.tilt_deg = dice.between(0.5, 20.0, 10.0);
     }
 }
 

@@ -68,7 +68,9 @@ std::string effects_text(const Mechanism& mechanism) {
     if (const auto* film = std::get_if<Film>(&mechanism)) spread_nm = film->thickness_spread_nm;
     if (const auto* stack = std::get_if<Stack>(&mechanism)) spread_nm = stack->thickness_spread_nm;
     if (spread_nm > 0.0) text += "thickness_spread_nm = " + digits(spread_nm) + "\n";
-    if (mechanism.effects.tilt_deg > 0.0) text += "tilt_deg = " + digits(mechanism.effects.tilt_deg) + "\n";
+    const Relief& relief = mechanism.effects.relief;
+    if (relief.tilt_deg > 0.0) text += "tilt_deg = " + digits(relief.tilt_deg) + "\n";
+    if (relief.roughness > 0.0) text += "roughness = " + digits(relief.roughness) + "\n";
     if (!mechanism.effects.base) return text;
     if (const auto* grey = std::get_if<GreyBase>(&*mechanism.effects.base))
         return text + "base = " + digits(grey->reflectance) + "\n";

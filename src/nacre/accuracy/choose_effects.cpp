@@ -6,7 +6,7 @@
 //   - What the scene does without is put back alone, to find what its absence changes. It stays away.
 //   - Any other is left out alone, everything else as it is. If the colours change by less than the share, it is left
 //     out for good. Contributions add up, so that all of them together keep the tolerance.
-// What was left out so far is missing from the materials with which the scene's own `without` and tilt are compared;
+// What was left out so far is missing from the materials with which the scene's own `without` and facets are compared;
 // the other comparisons hold against the material with all of its effects. A few samples of uneven thicknesses stand
 // for their mean here.
 //
@@ -18,10 +18,10 @@
 #include <utility>
 
 #include "nacre/accuracy/choose_nodes.h"
-#include "nacre/accuracy/tilt_contribution.h"
+#include "nacre/accuracy/facet_contribution.h"
+#include "nacre/shade/facets.h"
 #include "nacre/shade/kinks.h"
 #include "nacre/shade/prepared_colour.h"
-#include "nacre/shade/tilt.h"
 
 namespace nacre {
 namespace {
@@ -58,16 +58,16 @@ double contribution_of(Effect effect, const Probes& probes, SpectralSampling sam
 void append_colours(Mechanism mechanism, const Probe& probe, const Probes& probes, const SpectralSampling& sampling,
                     Colours& out, ProbeTally& tally) {
     const Light& light = *probes.job.light;
-    const double tilt_deg = std::exchange(mechanism.effects.tilt_deg, 0.0);
+    const Relief relief = std::exchange(mechanism.effects.relief, {});
     PreparedColour prepared = prepare_colour(mechanism, sampling, light);
     const auto flat = [&](const Geometry& geometry) {
         return adapt(light.adaptation, colour_at(prepared, geometry, tally.work));
     };
     FacetColours facets;
-    if (tilt_deg > 0.0) facets = FacetColours(facet_curve(flat, kinks_deg(mechanism), probes.after_step));
+    if (!relief.is_plane()) facets = FacetColours(facet_curve(flat, kinks_deg(mechanism), probes.after_step));
     for (const Geometry& geometry : probe.geometries) {
-        std::uint64_t& points = work_of(tally.work.effects, Effect::tilt).points;
-        out.push_back(tilt_deg > 0.0 ? facets.mean(tilt_deg, geometry.incidence, points) : flat(geometry));
+        std::uint64_t& points = work_of(tally.work.effects, facet_effect(relief)).points;
+        out.push_back(relief.is_plane() ? flat(geometry) : facets.mean(relief, geometry.incidence, points));
         if (probes.after_step) probes.after_step();
     }
 }
@@ -109,7 +109,7 @@ ChosenEffects choose_effects(const Probes& probes, const SpectralSampling& sampl
     few_samples.thickness_samples = few_thickness_samples;
     std::optional<ColoursOfBands> whole;  // computed when the first effect asks for it
     const auto contribution = [&](Effect effect, const EffectSet& without) {
-        if (effect == Effect::tilt) return contribution_of_tilt(probes, sampling, without, tally);
+        if (facet_effects.has(effect)) return contribution_of_facets(probes, sampling, without, tally);
         if (!whole) whole = whole_colours(probes, few_samples, tally);
         return contribution_of(effect, probes, few_samples, *whole, tally);
     };

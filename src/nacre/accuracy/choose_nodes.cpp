@@ -20,6 +20,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "nacre/accuracy/thick_layers.h"
@@ -120,11 +121,14 @@ ChosenNodes requested_nodes(const Probes& probes, const ChosenNodes& good, const
 
 double seen_share_of_band(const Probes& probes, std::size_t band) {
     constexpr double least = 1e-3;  // so that a band is never ignored
-    double least_tilt_deg = 90.0;
-    for (const Probe& probe : probes.bands[band])
-        least_tilt_deg = std::min(least_tilt_deg, probe.simulated.effects.tilt_deg);
-    if (band == 0 || !(least_tilt_deg > 0.0)) return 1.0;
-    const double share = band_least_cos_theta[band - 1] / std::sin(least_tilt_deg * std::numbers::pi / 180.0);
+    double least_slope = std::numeric_limits<double>::infinity();
+    for (const Probe& probe : probes.bands[band]) {
+        const Relief& relief = probe.simulated.effects.relief;
+        const double of_tilt = std::sin(relief.tilt_deg * std::numbers::pi / 180.0);
+        least_slope = std::min(least_slope, std::max(of_tilt, relief.roughness * relief.roughness));
+    }
+    if (band == 0 || !(least_slope > 0.0)) return 1.0;
+    const double share = band_least_cos_theta[band - 1] / least_slope;
     return std::clamp(share * share, least, 1.0);
 }
 

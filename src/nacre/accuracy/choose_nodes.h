@@ -34,7 +34,7 @@ ChosenNodes choose_nodes(const Probes& probes, SpectralSampling sampling, double
                          const NodeCounts& fewest, ProbeTally& tally);
 
 /// The share of an error in a band that is seen. What of a surface's facets is seen within so small a cosine goes with
-/// its square: of facets that lean every way, those that are seen at grazing hardly count. 1 without tilt.
+/// its square: of facets that lean every way, those that are seen at grazing hardly count. 1 without facets.
 double seen_share_of_band(const Probes& probes, std::size_t band);
 
 /// Samples of uneven thicknesses while other numbers are chosen: their mean is about as smooth as that of all

@@ -6,7 +6,8 @@
 //   2. The nodes of spectra (choose_nodes.cpp).
 //   3. Effects: each is left out for once, with these nodes (choose_effects.cpp).
 //   4. Directions from a base and samples of uneven thicknesses (choose_sums.cpp), of those effects that are left.
-//   5. Where no axis but the tilt moves, the colours of a facet as a curve, which all LUTs of the search can share.
+//   5. Where no axis but tilt or roughness moves, the colours of a facet as a curve, which all LUTs of the search can
+//   share.
 // Each step returns its part; none changes what an earlier one chose. The tally of work and of the brightest colour
 // goes through all of them: it only grows, a step that finds the effort spent ends with what it has, and all
 // differences are judged at the brightness of the colours that were seen before.
@@ -18,15 +19,17 @@
 
 #include "nacre/accuracy/choose_nodes.h"
 #include "nacre/accuracy/choose_sums.h"
+#include "nacre/accuracy/facet_contribution.h"
 #include "nacre/accuracy/mechanism_traits.h"
 #include "nacre/accuracy/probes.h"
-#include "nacre/accuracy/tilt_contribution.h"
 
 namespace nacre {
 namespace {
 
-bool only_tilt_moves(const Job& job) {
-    const auto is_else = [](const Axis& axis) { return !axis.is_angle() && axis.parameter.name != "tilt_deg"; };
+bool only_relief_moves(const Job& job) {
+    const auto is_else = [](const Axis& axis) {
+        return !axis.is_angle() && axis.parameter.name != "tilt_deg" && axis.parameter.name != "roughness";
+    };
     return !is_else(job.x) && !(job.y && is_else(*job.y));
 }
 
@@ -71,14 +74,14 @@ void choose_means(const Probes& probes, const SamplingTolerance& tolerance, cons
         sampling.thickness_samples = samples.count;
         chosen.spread_error = samples.error;
     }
-    if (left.has(Effect::tilt) && only_tilt_moves(job)) {
+    if (left.has_any(facet_effects) && only_relief_moves(job)) {
         const Probe& probe = probes.bands.front().front();
         Mechanism facet = probe.simulated;
-        const double tilt_deg = std::exchange(facet.effects.tilt_deg, 0.0);
+        const Relief relief = std::exchange(facet.effects.relief, {});
         FacetColours facets(facet_colours(probes, std::move(facet), sampling, chosen.without, tally));
         // For a mean it expands the curve once, which all LUTs of the search then share.
-        if (tilt_deg > 0.0)
-            facets.mean(tilt_deg, probe.geometries.front().incidence, work_of(tally.work.effects, Effect::tilt).points);
+        if (relief.tilt_deg > 0.0)
+            facets.mean(relief, probe.geometries.front().incidence, work_of(tally.work.effects, Effect::tilt).points);
         sampling.facets = std::make_shared<const FacetColours>(std::move(facets));
     }
 }

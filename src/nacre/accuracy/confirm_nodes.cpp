@@ -63,7 +63,7 @@ PointsOfBands points_of(const Job& job, const Candidate& size) {
 // The job without facets, and with few samples of uneven thicknesses, whose mean is about as smooth as that of all.
 Job plain_job(const Job& job) {
     Job plain = job;
-    plain.without.insert(Effect::tilt);
+    plain.without.insert(facet_effects);
     plain.sampling.facets = nullptr;
     plain.sampling.thickness_samples = std::min(plain.sampling.thickness_samples, few_thickness_samples);
     return plain;
@@ -122,7 +122,7 @@ ConfirmedNodes confirm_nodes(const LutSurvey& survey, const Candidate& size, dou
     const bool is_given = survey.lut.request.sampling.nodes.front() > 0;
     const Job plain = plain_job(job);
     const bool is_plain =
-        !effects_in(job).has(Effect::tilt) && plain.sampling.thickness_samples == job.sampling.thickness_samples;
+        !effects_in(job).has_any(facet_effects) && plain.sampling.thickness_samples == job.sampling.thickness_samples;
     const PointsOfBands points = points_of(job, size);
     const double per_sample =
         effort_per_sample(job.material.mechanism, job.sampling.slices) * plain.sampling.thickness_samples;
@@ -130,7 +130,7 @@ ConfirmedNodes confirm_nodes(const LutSurvey& survey, const Candidate& size, dou
         int& count = confirmed.counts[band];
         if (band > 0 && !is_given) count = std::max(count, confirmed.counts[band - 1]);
         // Of facets, those near grazing hardly count.
-        if (points[band].size() < fewest_texels || (band > 0 && effects_in(job).has(Effect::tilt))) continue;
+        if (points[band].size() < fewest_texels || (band > 0 && effects_in(job).has_any(facet_effects))) continue;
         const auto is_affordable = [&] {
             const double effort = per_sample * 2.0 * count * static_cast<double>(points[band].size());
             return 2 * count <= most_nodes && effort <= most_probe_effort;

@@ -9,10 +9,10 @@
 #include "nacre/accuracy/probes.h"
 #include "nacre/colour/difference.h"
 #include "nacre/material/effects.h"
+#include "nacre/shade/facets.h"
 #include "nacre/shade/layered_colour.h"
 #include "nacre/shade/prepared_colour.h"
 #include "nacre/shade/spectra.h"
-#include "nacre/shade/tilt.h"
 
 namespace nacre {
 namespace {
@@ -36,13 +36,17 @@ int first_count(const Mechanism& mechanism, const LightSettings& light) {
 }
 
 // Palettes and measured spectra have kinks at their angles, and cost next to nothing.
-constexpr TiltPoints facets_of_closed_forms{32, 48};
+constexpr FacetPoints facets_of_closed_forms{32, 48};
+
+// Of rough surfaces some facets lean by any angle.
+constexpr double lean_of_rough_facets_deg = 45.0;
 
 std::vector<Geometry> probed_geometries(const Mechanism& mechanism, const Geometry& geometry) {
     std::vector<Geometry> probed{geometry};
-    const double tilt_deg = mechanism.effects.tilt_deg;
-    if (tilt_deg == 0.0) return probed;
-    for (const double theta_deg : {geometry.incidence.theta_deg - tilt_deg, geometry.incidence.theta_deg + tilt_deg})
+    const Relief& relief = mechanism.effects.relief;
+    if (relief.is_plane()) return probed;
+    const double lean_deg = relief.roughness > 0.0 ? lean_of_rough_facets_deg : relief.tilt_deg;
+    for (const double theta_deg : {geometry.incidence.theta_deg - lean_deg, geometry.incidence.theta_deg + lean_deg})
         probed.emplace_back(Incidence::from_degrees(std::clamp(std::abs(theta_deg), 0.0, 90.0)));
     return probed;
 }
@@ -64,7 +68,7 @@ SpectralSampling sums_at(const Job& job, const Geometry& geometry, int count, co
         sums.base_directions = choose_base_directions(probes, sums, {}, tolerance_of_sums, 0, tally).count;
     if (!is_irregular(mechanism)) return sums;
     sums.thickness_samples =
-        mechanism.effects.tilt_deg == 0.0
+        mechanism.effects.relief.is_plane()
             ? spectrum_thickness_samples
             : choose_thickness_samples(probes, sums, {}, tolerance_of_tilted_thicknesses, 0, tally).count;
     return sums;
@@ -74,10 +78,11 @@ SpectralSampling sums_at(const Job& job, const Geometry& geometry, int count, co
 Xyz mean_of_facets(const Mechanism& mechanism, const Geometry& geometry, const SpectralSampling& sampling,
                    const Light& light, Work& work) {
     PreparedColour prepared = prepare_colour(mechanism, sampling, light);
-    if (mechanism.effects.tilt_deg == 0.0) return colour_at(prepared, geometry, work);
+    if (mechanism.effects.relief.is_plane()) return colour_at(prepared, geometry, work);
     Xyz mean;
-    const TiltPoints points = samples_spectra(mechanism) ? TiltPoints{} : facets_of_closed_forms;
-    for (const Facet& facet : visible_facets(mechanism.effects.tilt_deg, geometry.incidence, points)) {
+    FacetPoints points = samples_spectra(mechanism) ? FacetPoints{} : facets_of_closed_forms;
+    points.intervals = facet_intervals(mechanism);
+    for (const Facet& facet : seen_facets(mechanism.effects.relief, geometry.incidence, points)) {
         const Xyz seen = colour_at(prepared, Incidence::from_cos(facet.cos_theta), work);
         mean = {mean.x + facet.share * seen.x, mean.y + facet.share * seen.y, mean.z + facet.share * seen.z};
     }

@@ -66,7 +66,7 @@ double measured_share(const Job& job) {
     const auto reference_cost = traits_of(mechanism).reference_cost;
     if (reference_cost == nullptr) return 1.0;
     // Facets' colours are kept as long as the material is the same; else each point asks for a curve of them.
-    const bool has_facets = mechanism.effects.tilt_deg > 0.0;
+    const bool has_facets = !mechanism.effects.relief.is_plane();
     const double colours =
         has_facets && job.moves_material() && job.sampling.facets == nullptr ? colours_of_facet_curve : 1.0;
     const double affordable = std::max(always_affordable, texels_affordable * effort_of_texels(job));

@@ -70,7 +70,7 @@ bool is_effort_spent(const ProbeTally& tally, double per_sample) {
 Colours colours_at(const Probes& probes, std::size_t band, const SpectralSampling& sampling, EffectSet without,
                    ProbeTally& tally) {
     const Light& light = *probes.job.light;
-    without.insert(Effect::tilt);
+    without.insert(facet_effects);
     Colours colours;
     for (const Probe& probe : probes.bands[band]) {
         Mechanism mechanism = probe.simulated;

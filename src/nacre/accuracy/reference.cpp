@@ -160,7 +160,7 @@ Xyz Reference::at(double x, double y) const {
     const Mechanism mechanism = mechanism_at(job_, x, y);
     const Geometry geometry = geometry_at(job_, x, y);
     const Xyz seen =
-        mechanism.effects.tilt_deg > 0.0 ? tilted(mechanism, geometry.incidence) : flat(mechanism, geometry);
+        mechanism.effects.relief.is_plane() ? flat(mechanism, geometry) : mean_of_facets(mechanism, geometry.incidence);
     return adapt(adaptation_, seen);
 }
 

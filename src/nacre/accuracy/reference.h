@@ -48,7 +48,9 @@ private:
     struct Scattering;
 
     Xyz flat(const Mechanism& mechanism, const Geometry& geometry) const;
-    Xyz tilted(const Mechanism& mechanism, const Incidence& incidence) const;
+    Xyz mean_of_facets(const Mechanism& mechanism, const Incidence& incidence) const;
+    Xyz tilted(double tilt_deg, const XyzCurve& facet, const Incidence& incidence) const;
+    Xyz rough(double roughness, const XyzCurve& facet, const Incidence& incidence) const;
     Xyz band(const Lobe& lobe) const;
     Xyz layered(const Mechanism& mechanism, const Incidence& incidence) const;
     std::vector<double> base_factors(const Base& base, const LayerEnsemble& layers) const;

@@ -59,16 +59,10 @@ double facets_around(double theta, double gamma, double tilt, double steepest) {
 }  // namespace
 
 // Around the line of sight rather than the surface's normal, by Simpson's rule: then none is turned away.
-Xyz Reference::tilted(const Mechanism& mechanism, const Incidence& incidence) const {
-    Mechanism plain = mechanism;
-    plain.effects.tilt_deg = 0.0;
-    if (!facets_ || !(facets_->first == plain)) {
-        facets_.emplace(plain,
-                        facet_curve([&](const Incidence& facet) { return flat(plain, facet); }, kinks_deg(plain)));
-    }
+Xyz Reference::tilted(double tilt_deg, const XyzCurve& facet, const Incidence& incidence) const {
     constexpr int most_rings = 4096;
     const double theta = incidence.theta_deg * pi / 180.0;
-    const double tilt = mechanism.effects.tilt_deg * pi / 180.0;
+    const double tilt = tilt_deg * pi / 180.0;
     const double steepest = std::min(6.5 * tilt, 0.5 * pi);
     const double from = std::max(theta - steepest, 0.0);
     const double to = std::min(theta + steepest, 0.5 * pi);
@@ -78,7 +72,7 @@ Xyz Reference::tilted(const Mechanism& mechanism, const Incidence& incidence) co
         for (int ring = 1; ring < rings; ++ring) {  // at either end there is nothing
             const double gamma = std::lerp(from, to, static_cast<double>(ring) / rings);
             const double there = facets_around(theta, gamma, tilt, steepest) * std::sin(gamma) * std::cos(gamma);
-            const Xyz seen = facets_->second.at(std::sqrt(std::cos(gamma)));
+            const Xyz seen = facet.at(std::sqrt(std::cos(gamma)));
             const double share = ring % 2 == 1 ? 4.0 : 2.0;
             const double share_of_seconds = ring % 2 == 1 ? 0.0 : ring % 4 == 2 ? 8.0 : 4.0;
             for (const auto& [i, weight] :
@@ -87,10 +81,100 @@ Xyz Reference::tilted(const Mechanism& mechanism, const Incidence& incidence) co
                 visible[i] += weight;
             }
         }
-        if (!(visible[1] > 0.0)) return flat(plain, incidence);
+        if (!(visible[1] > 0.0)) return facet.at(std::sqrt(incidence.cos_theta));
         const Xyz mean = scaled(sums[0], 1.0 / visible[0]);
         if (rings >= most_rings || !(doubt(mean, scaled(sums[1], 1.0 / visible[1])) > 1.0)) return mean;
     }
+}
+
+namespace {
+
+// What an eye sees of rough facets, as rough_facets() has it; light and eye are above the surface.
+struct RoughSurface {
+    double alpha;
+    double cos_eye;
+
+    // Per solid angle, but for a factor.
+    double density(double cos_facet) const {
+        const double d = alpha * alpha * cos_facet * cos_facet + (1.0 - cos_facet) * (1.0 + cos_facet);
+        return alpha * alpha / (d * d);
+    }
+    // Smith's (1 + L(v)) / (1 + L(v) + L(l)); along the surface L(v) is beyond all bounds.
+    double seen_and_lit(double cos_light) const {
+        if (cos_eye == 0.0) return 1.0;
+        const auto smith = [&](double cosine) {
+            const double slope = alpha * std::sqrt((1.0 - cosine) * (1.0 + cosine)) / cosine;
+            return 0.5 * (std::sqrt(1.0 + slope * slope) - 1.0);
+        };
+        return (1.0 + smith(cos_eye)) / (1.0 + smith(cos_eye) + smith(cos_light));
+    }
+};
+
+// Angles between facet and surface between which rules are taken: farther and farther apart in slopes of alpha, and
+// where light begins to come from below.
+std::vector<double> ring_borders(double theta, double alpha) {
+    constexpr double steepest_border = 50.0;
+    const double last = 0.5 * (0.5 * pi + theta);
+    std::vector<double> borders{0.0, 0.5 * (0.5 * pi - theta), last};
+    for (double x = 0.5; x * alpha < steepest_border && std::atan(x * alpha) < last; x *= 3.0)
+        borders.push_back(std::atan(x * alpha));
+    std::sort(borders.begin(), borders.end());
+    return borders;
+}
+
+}  // namespace
+
+// Around the surface's normal, ring by ring: twice as many points on and of each until the mean agrees.
+Xyz Reference::rough(double roughness, const XyzCurve& facet, const Incidence& incidence) const {
+    constexpr double mirror = 1e-4;
+    constexpr int most_rings = 256;
+    if (roughness < mirror) return facet.at(std::sqrt(incidence.cos_theta));
+    const RoughSurface surface{roughness * roughness, incidence.cos_theta};
+    const double theta = incidence.theta_deg * pi / 180.0;
+    const std::vector<double> borders = ring_borders(theta, surface.alpha);
+    Xyz half;
+    for (int count = 4;; count *= 2) {
+        Xyz sum;
+        double visible = 0.0;
+        for (std::size_t i = 1; i < borders.size(); ++i) {
+            for (const GaussPoint& ring : unit_gauss_legendre(count)) {
+                const double tau = std::lerp(borders[i - 1], borders[i], ring.at);
+                const double along = std::cos(tau) * incidence.cos_theta;
+                const double across = std::sin(tau) * std::sin(theta);
+                // The light that a facet mirrors comes from above where 2 cos(h, v) cos(h, n) > cos(v, n).
+                const double least = 0.5 * incidence.cos_theta / std::cos(tau);
+                const double arc = across > 0.0 ? std::acos(std::clamp((least - along) / across, -1.0, 1.0)) : pi;
+                const double there =
+                    (borders[i] - borders[i - 1]) * ring.weight * surface.density(std::cos(tau)) * std::sin(tau);
+                for (const GaussPoint& spoke : unit_gauss_legendre(2 * count)) {
+                    const double cos_facet = std::min(along + across * std::cos(arc * spoke.at), 1.0);
+                    const double cos_light = 2.0 * cos_facet * std::cos(tau) - incidence.cos_theta;
+                    if (!(cos_light > 0.0)) continue;
+                    const double weight =
+                        there * arc * spoke.weight * cos_facet * surface.seen_and_lit(std::min(cos_light, 1.0));
+                    add(sum, weight, facet.at(std::sqrt(cos_facet)));
+                    visible += weight;
+                }
+            }
+        }
+        if (!(visible > 0.0)) return facet.at(std::sqrt(incidence.cos_theta));
+        const Xyz mean = scaled(sum, 1.0 / visible);
+        if (count >= most_rings || (count > 4 && !(doubt(mean, half) > 1.0))) return mean;
+        half = mean;
+    }
+}
+
+Xyz Reference::mean_of_facets(const Mechanism& mechanism, const Incidence& incidence) const {
+    const Relief& relief = mechanism.effects.relief;
+    Mechanism plain = mechanism;
+    plain.effects.relief = {};
+    if (!facets_ || !(facets_->first == plain)) {
+        facets_.emplace(plain,
+                        facet_curve([&](const Incidence& facet) { return flat(plain, facet); }, kinks_deg(plain)));
+    }
+    const XyzCurve& facet = facets_->second;
+    return relief.roughness > 0.0 ? rough(relief.roughness, facet, incidence)
+                                  : tilted(relief.tilt_deg, facet, incidence);
 }
 
 namespace {

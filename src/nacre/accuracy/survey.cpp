@@ -87,7 +87,7 @@ double scale_of(const ModelCurve& curve) {
 
 // A palette is cheap, unless it has facets.
 bool is_expensive(const Job& job) {
-    const bool has_facets = !job.without.has(Effect::tilt) && effects_in(job).has(Effect::tilt);
+    const bool has_facets = effects_in(job).minus(job.without).has_any(facet_effects);
     return has_facets || !traits_of(job.material.mechanism).is_closed_form;
 }
 

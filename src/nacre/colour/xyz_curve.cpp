@@ -164,6 +164,26 @@ std::vector<double> XyzCurve::borders() const {
     return borders;
 }
 
+XyzCurve XyzCurve::in_pieces(std::size_t degree) const {
+    XyzCurve pieces;
+    double from = 0.0;
+    for (const Panel& panel : panels_) {
+        const std::size_t count = (panel.coefficients.size() - 2 + degree) / degree;
+        for (std::size_t i = 0; i < count; ++i) {
+            // Within the panel, in its own variable.
+            const double begin = 2.0 * static_cast<double>(i) / static_cast<double>(count) - 1.0;
+            const double end = 2.0 * static_cast<double>(i + 1) / static_cast<double>(count) - 1.0;
+            std::vector<Xyz> values;
+            for (std::size_t j = 0; j <= degree; ++j)
+                values.push_back(value_at(panel.coefficients, std::lerp(begin, end, 0.5 + 0.5 * point(j, degree))));
+            const double to = std::lerp(from, panel.to, 0.5 + 0.5 * end);
+            pieces.panels_.push_back({to, coefficients_of(values)});
+        }
+        from = panel.to;
+    }
+    return pieces;
+}
+
 std::vector<double> curve_borders(std::vector<double> borders) {
     borders.push_back(0.0);
     borders.push_back(1.0);

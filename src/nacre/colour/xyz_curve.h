@@ -34,6 +34,9 @@ public:
     Xyz at(double x) const;
     /// Ascending, the first 0 and the last 1: between them it is a polynomial.
     std::vector<double> borders() const;
+    /// The same curve, its intervals divided evenly and its polynomials made anew of lower degree, which takes less
+    /// time to evaluate. @param degree  of the new ones: one interval for so many degrees of the old ones
+    XyzCurve in_pieces(std::size_t degree) const;
     bool is_made() const { return !panels_.empty(); }
     /// That were computed to make it.
     std::size_t colours() const { return colours_; }

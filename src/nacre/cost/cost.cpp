@@ -54,7 +54,8 @@ double in_8_bits(double linear) {
     return code <= 0.04045 ? code / 12.92 : std::pow((code + 0.055) / 1.055, 2.4);
 }
 
-// A tilted material's colours begin with those of its facets: who has not decided on anything has no curve of them yet.
+// The colours of a tilted or rough material begin with those of its facets: who has not decided on anything has no
+// curve of them yet.
 Job without_facets(Job job) {
     job.sampling.facets.reset();
     return job;
@@ -123,7 +124,8 @@ private:
 
     // Whose every colour is one band: the baselines of bands know no facets.
     bool is_bare_palette() const {
-        return std::holds_alternative<Palette>(lut_.job.material.mechanism) && !effects_in(lut_.job).has(Effect::tilt);
+        return std::holds_alternative<Palette>(lut_.job.material.mechanism) &&
+               !effects_in(lut_.job).has_any(facet_effects);
     }
 
     void add_baseline(std::string label, std::shared_ptr<const Baseline> baseline) {

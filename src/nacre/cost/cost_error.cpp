@@ -29,7 +29,7 @@ struct ModelColours {
 // Where every colour takes long: the scan asks for thousands. As when nacre decides, none if the curve itself took too
 // long.
 std::optional<ModelColours> model_colours(const Job& job, const AfterRow& after_step) {
-    const bool is_expensive = samples_spectra(job.material.mechanism) || effects_in(job).has(Effect::tilt);
+    const bool is_expensive = samples_spectra(job.material.mechanism) || effects_in(job).has_any(facet_effects);
     if (job.y || !is_expensive) return std::nullopt;
     Job sample = job;
     sample.width = survey_columns;

@@ -23,8 +23,8 @@ bool is_parameter(const Axis& axis) {
 }
 
 // Whether two mechanisms differ in nothing that facets' colours depend on.
-bool same_but_for_tilt(Mechanism a, const Mechanism& b) {
-    a.effects.tilt_deg = b.effects.tilt_deg;
+bool same_but_for_relief(Mechanism a, const Mechanism& b) {
+    a.effects.relief = b.effects.relief;
     return a == b;
 }
 
@@ -45,19 +45,19 @@ void Sampler::set_parameters(double x, double y) {
     last_x_ = x;
     last_y_ = y;
     auto* palette = std::get_if<PaletteColour>(&prepared_);
-    if (palette != nullptr && mechanism_.effects.tilt_deg == 0.0) {
+    if (palette != nullptr && mechanism_.effects.relief.is_plane()) {
         // Planes and palettes call this a million times, so it copies nothing.
         if (x_moves) job_.x.parameter.set(mechanism_, job_.x.parameter_value(x));    // planning guarantees that the
         if (y_moves) job_.y->parameter.set(mechanism_, job_.y->parameter_value(y));  // axes set different numbers
-        if (job_.without.has(Effect::tilt)) mechanism_.effects.tilt_deg = 0.0;
+        remove(job_.without, mechanism_, job_.light->settings.first_nm);
         palette->reset(std::get<Palette>(mechanism_));
         if (facets_.is_made()) facets_ = {};  // of the bands before
         return;
     }
     Mechanism next = simulated_at(job_, x, y);
-    const bool only_tilt_moves = same_but_for_tilt(next, mechanism_);
+    const bool only_relief_moves = same_but_for_relief(next, mechanism_);
     mechanism_ = std::move(next);
-    if (only_tilt_moves) return;
+    if (only_relief_moves) return;
     prepared_ = prepare_colour(mechanism_, sampling_, *job_.light);
     facets_ = {};
 }
@@ -76,8 +76,9 @@ Lobe Sampler::lobe_at(double x, double y) {
     return std::get<PaletteColour>(prepared_).lobe_at(geometry(x, y).incidence);
 }
 
-Xyz Sampler::tilted(const Incidence& incidence) {
-    EffectWork& effort = work_of(work_.effects, Effect::tilt);
+Xyz Sampler::mean_of_facets(const Incidence& incidence) {
+    const Relief& relief = mechanism_.effects.relief;
+    EffectWork& effort = work_of(work_.effects, facet_effect(relief));
     if (!facets_.is_made() && sampling_.facets != nullptr) facets_ = *sampling_.facets;
     if (!facets_.is_made()) {
         const auto colour = [&](const Incidence& facet) {
@@ -86,13 +87,14 @@ Xyz Sampler::tilted(const Incidence& incidence) {
         };
         facets_ = FacetColours(facet_curve(colour, kinks_deg(mechanism_)));
     }
-    return facets_.mean(mechanism_.effects.tilt_deg, incidence, effort.points);
+    return facets_.mean(relief, incidence, effort.points);
 }
 
 Xyz Sampler::at(double x, double y) {
     set_parameters(x, y);
     const Geometry& here = geometry(x, y);
-    const Xyz seen = mechanism_.effects.tilt_deg > 0.0 ? tilted(here.incidence) : colour_at(prepared_, here, work_);
+    const Xyz seen =
+        mechanism_.effects.relief.is_plane() ? colour_at(prepared_, here, work_) : mean_of_facets(here.incidence);
     return adapt(job_.light->adaptation, seen);
 }
 

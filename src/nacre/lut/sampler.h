@@ -9,9 +9,9 @@
 #include "nacre/optics/incidence.h"
 #include "nacre/optics/lobe.h"
 #include "nacre/optics/palette.h"
+#include "nacre/shade/facets.h"
 #include "nacre/shade/prepared_colour.h"
 #include "nacre/shade/spectral_sampling.h"
-#include "nacre/shade/tilt.h"
 #include "nacre/shade/work.h"
 
 namespace nacre {
@@ -36,7 +36,7 @@ public:
 private:
     void set_parameters(double x, double y);
     const Geometry& geometry(double x, double y);
-    Xyz tilted(const Incidence& incidence);
+    Xyz mean_of_facets(const Incidence& incidence);
 
     const Job& job_;
     Mechanism mechanism_;

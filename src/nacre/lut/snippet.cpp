@@ -63,10 +63,11 @@ constexpr std::string_view head = R"(// SPDX-License-Identifier: Apache-2.0
 // Sampler: linear filter, clamp to edge, no mip-maps, no sRGB decoding.
 // {declare}
 //
-// Half-vector form, for a light with a direction (point, spot, sun): the angle on the facet that mirrors L into V.
-//     nacre_fetch({lut}, nacre_{default}(dot(V, normalize(L + V))))
-// N.V form, for light from the mirror direction (environment map, probe, traced ray), and where there is no light:
-//     nacre_fetch({lut}, nacre_{default}(dot(N, V)))
+// A light with a direction (point, spot, sun): the angle on the facet that mirrors L into V.
+//     nacre_punctual({lut}, L, V), that is nacre_fetch({lut}, nacre_{default}(dot(V, normalize(L + V))), 0.0)
+// Light from all around (environment map, probe), and where there is no light; rows over the roughness, from 0 to 1:
+//     nacre_environment({lut}, N, V, roughness), that is nacre_fetch({lut}, nacre_{default}(dot(N, V)), roughness)
+// L, V and N have length 1. With another axis x or other rows use nacre_fetch and the functions of these axes.
 // Gratings; t lies across the grooves, p is the part of L + V in the surface, a its angle to t (0 to 90 degrees):
 //     nacre_fetch({lut}, nacre_{grating}(dot(L + V, t)))
 //     nacre_fetch({lut}, nacre_{grating}(length(p)), nacre_parameter(a, 0.0, 90.0))
@@ -103,6 +104,17 @@ constexpr std::string_view tail = R"(
 {vec3} nacre_fetch({parameters}, {float} x) {
     return nacre_fetch({lut}, x, 0.0);
 }
+
+// What a facet mirrors from L to V, in the row of no roughness. The cosine of half the angle between L and V is
+// dot(V, normalize(L + V)).
+{vec3} nacre_punctual({parameters}, {vec3} L, {vec3} V) {
+    return nacre_fetch({lut}, nacre_{default}(sqrt(clamp(0.5 + 0.5 * dot(L, V), 0.0, 1.0))), 0.0);
+}
+
+// What facets of that roughness mirror of even light. Multiply by the engine's own energy term for a white metal.
+{vec3} nacre_environment({parameters}, {vec3} N, {vec3} V, {float} roughness) {
+    return nacre_fetch({lut}, nacre_{default}(dot(N, V)), roughness);
+}
 )";
 
 std::string with(std::string text, std::string_view placeholder, std::string_view replacement) {
@@ -138,7 +150,7 @@ std::string axis_text(const AxisKind& kind) {
 std::string snippet(ShaderLanguage language) {
     std::string text = head_text();
     for (const AxisKind& kind : axis_kinds()) text += axis_text(kind);
-    text += tail;
+    text += with(std::string(tail), "{default}", default_axis_kind(Quantity::incidence).name);
     for (const auto& [placeholder, replacement] : language == ShaderLanguage::glsl ? glsl : hlsl) {
         text = with(std::move(text), placeholder, replacement);
     }

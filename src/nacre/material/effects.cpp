@@ -97,10 +97,17 @@ void remove_base(Mechanism& mechanism, double) {
 }
 
 bool has_tilt(const Mechanism& mechanism, double) {
-    return mechanism.effects.tilt_deg > 0.0;
+    return mechanism.effects.relief.tilt_deg > 0.0;
 }
 void remove_tilt(Mechanism& mechanism, double) {
-    mechanism.effects.tilt_deg = 0.0;
+    mechanism.effects.relief.tilt_deg = 0.0;
+}
+
+bool has_roughness(const Mechanism& mechanism, double) {
+    return mechanism.effects.relief.roughness > 0.0;
+}
+void remove_roughness(Mechanism& mechanism, double) {
+    mechanism.effects.relief.roughness = 0.0;
 }
 
 bool has_higher_orders(const Mechanism& mechanism, double first_nm) {
@@ -131,6 +138,7 @@ constexpr std::array<EffectRow, effect_count> all_effect_rows{{
      remove_thickness_spread},
     {Effect::base, "base", "light from below the layers", has_base, remove_base},
     {Effect::tilt, "tilt", "the mean over facets", has_tilt, remove_tilt},
+    {Effect::roughness, "roughness", "the mean over GGX facets", has_roughness, remove_roughness},
     {Effect::higher_orders, "higher_orders", "diffraction orders beyond the first", has_higher_orders,
      remove_higher_orders},
     {Effect::size_spread, "size_spread", "the mean over radii", has_size_spread, remove_size_spread},

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <initializer_list>
 #include <span>
 #include <string_view>
 
@@ -21,17 +22,24 @@ enum class Effect {
     thickness_spread,
     base,
     tilt,
+    roughness,
     higher_orders,
     size_spread,
 };
-inline constexpr std::size_t effect_count = 9;
+inline constexpr std::size_t effect_count = 10;
 
 /// A set of effects.
 class EffectSet {
 public:
     bool has(Effect effect) const { return (bits_ & bit(effect)) != 0; }
+    EffectSet() = default;
+    EffectSet(std::initializer_list<Effect> effects) {
+        for (const Effect effect : effects) insert(effect);
+    }
     void insert(Effect effect) { bits_ |= bit(effect); }
+    void insert(const EffectSet& effects) { bits_ |= effects.bits_; }
     void erase(Effect effect) { bits_ &= ~bit(effect); }
+    bool has_any(const EffectSet& effects) const { return (bits_ & effects.bits_) != 0; }
     /// Those that the other set has not.
     EffectSet minus(const EffectSet& other) const;
     bool is_empty() const { return bits_ == 0; }
@@ -42,6 +50,12 @@ private:
     static std::uint32_t bit(Effect effect) { return std::uint32_t{1} << static_cast<unsigned>(effect); }
     std::uint32_t bits_ = 0;
 };
+
+/// Those that are a mean over facets; a material has one of them at most.
+inline const EffectSet facet_effects{Effect::tilt, Effect::roughness};
+inline Effect facet_effect(const Relief& relief) {
+    return relief.roughness > 0.0 ? Effect::roughness : Effect::tilt;
+}
 
 /// One row per effect: how to tell whether a mechanism has it, and how to take it away. A new effect is a row here, and
 /// the code that simulates it.

@@ -11,6 +11,7 @@
 
 #include "nacre/base/where.h"
 #include "nacre/material/geometry.h"
+#include "nacre/material/relief.h"
 #include "nacre/optics/base.h"
 #include "nacre/optics/crystal.h"
 #include "nacre/optics/grating.h"
@@ -26,7 +27,7 @@ namespace nacre {
 /// stack's thicknesses, the orders of a grating.)
 struct Effects {
     std::optional<Base> base;  ///< below the layers; none: black
-    double tilt_deg = 0.0;     ///< of the facets that the surface consists of, from its normal; see tilt.h
+    Relief relief;
     Polarisation polarisation = Polarisation::mean;
     bool both_polarisations = false;  ///< whether a LUT becomes two, of s and of p
     friend bool operator==(const Effects&, const Effects&) = default;

@@ -78,7 +78,7 @@ constexpr std::array synonyms{
     Synonym{"render", "swatch"},
     Synonym{"resolution", "size"},
     Synonym{"rgb", "colour"},
-    Synonym{"roughness", "tilt_deg"},
+    Synonym{"perceptualroughness", "roughness"},
     Synonym{"spacing", "spacing_nm"},
     Synonym{"spacing", "period_nm"},
     Synonym{"texture", "lut"},

@@ -11,6 +11,7 @@
 #include "nacre/scene/catalogue.h"
 #include "nacre/scene/plan_tables.h"
 #include "nacre/scene/readers/axis_reader.h"
+#include "nacre/scene/readers/mechanism_reader.h"
 
 namespace nacre {
 namespace {
@@ -61,6 +62,16 @@ void check_axes_differ(const Job& job, const Table& table, const Where& where) {
     if (overlap) table.fail(where, "x and y both set " + y + "; give two different parameters");
 }
 
+void check_relief(const Job& job, const Table& table) {
+    for (const double x : {0.0, 1.0}) {
+        for (const double y : {0.0, 1.0}) {
+            const Relief relief = mechanism_at(job, x, y).effects.relief;
+            if (relief.tilt_deg > 0.0 && relief.roughness > 0.0)
+                table.fail(table.where(), std::string(two_reliefs) + "; remove one of them, or its axis");
+        }
+    }
+}
+
 void read_fixed_angle(const Table& table, Job& job) {
     const Quantity quantity = quantity_of(job.material.mechanism);
     const auto [key, allowed, geometry] = fixed_key(quantity);
@@ -83,6 +94,7 @@ void read_axes(const Table& table, Job& job) {
     if (y != nullptr) attempt(table, y->where, [&] { job.y = read_axis(table, "y", *y, mechanism); });
     if (job.y && table.is_good()) attempt(table, y->where, [&] { check_axes_differ(job, table, y->where); });
     attempt(table, table.where(), [&] { read_fixed_angle(table, job); });
+    if (table.is_good()) attempt(table, table.where(), [&] { check_relief(job, table); });
 }
 
 // What the LUT says itself counts instead of what [accuracy] says.

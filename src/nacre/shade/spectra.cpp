@@ -2,22 +2,24 @@
 
 #include <optional>
 
+#include "nacre/shade/facets.h"
 #include "nacre/shade/layered_colour.h"
 #include "nacre/shade/shading.h"
-#include "nacre/shade/tilt.h"
 
 namespace nacre {
 std::vector<Response> responses_at(const Mechanism& mechanism, const Geometry& geometry,
                                    std::span<const double> wavelengths_nm) {
     if (wavelengths_nm.empty()) return {};
-    const double tilt_deg = mechanism.effects.tilt_deg;
-    if (tilt_deg == 0.0) return shading_of(mechanism).responses(mechanism, geometry, wavelengths_nm);
+    const Relief& relief = mechanism.effects.relief;
+    if (relief.is_plane()) return shading_of(mechanism).responses(mechanism, geometry, wavelengths_nm);
     // Facet by facet: a spectrum is needed once, so no curve is prepared.
     constexpr int thickness_samples_of_facets = 256;
     std::optional<LayeredSpectra> layers;
     if (is_layered(mechanism)) layers.emplace(mechanism, wavelengths_nm, thickness_samples_of_facets);
     std::vector<Response> mean(wavelengths_nm.size());
-    for (const Facet& facet : visible_facets(tilt_deg, geometry.incidence)) {
+    FacetPoints points;
+    points.intervals = facet_intervals(mechanism);
+    for (const Facet& facet : seen_facets(relief, geometry.incidence, points)) {
         const Incidence incidence = Incidence::from_cos(facet.cos_theta);
         const auto responses =
             layers ? layers->at(incidence) : shading_of(mechanism).responses(mechanism, incidence, wavelengths_nm);

@@ -54,6 +54,19 @@ double fringe_count(const Mechanism& mechanism, const LightSettings& light) {
     return is_layered(mechanism) ? fringe_count(even_system(mechanism), light) : 0.0;
 }
 
+int facet_intervals(const Mechanism& mechanism) {
+    // Palettes and measured spectra have kinks at their angles, and cost next to nothing.
+    constexpr int of_closed_forms = 64;
+    constexpr int of_smooth_layers = 8;
+    // Of the phase between two reflections a part changes with the angle, in all by at most this many turns per fringe
+    // of the visible range, where blue has twice the order of red.
+    constexpr double per_fringe = 2.0;
+    constexpr int most = 1024;
+    if (!samples_spectra(mechanism)) return of_closed_forms;
+    const double fringes = fringe_count(mechanism, LightSettings{});
+    return std::min(of_smooth_layers + static_cast<int>(per_fringe * fringes), most);
+}
+
 namespace {
 
 // Layers that a solver goes through: a group once, and its matrix as often as its number of repeats has bits.

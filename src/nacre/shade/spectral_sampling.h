@@ -11,7 +11,7 @@
 #include "nacre/material/mechanism.h"
 #include "nacre/optics/incidence.h"
 #include "nacre/optics/layer_system.h"
-#include "nacre/shade/tilt.h"
+#include "nacre/shade/facets.h"
 #include "nacre/shade/work.h"
 
 namespace nacre {
@@ -64,6 +64,9 @@ double fringe_count(const LayerSystem& system, const LightSettings& light);
 /// Interference fringes that the mechanism shows over the light's range, were all its layers one: twice the optical
 /// path times the range of wavenumbers. 0 for what is not made of layers. Incoherent layers do not count.
 double fringe_count(const Mechanism& mechanism, const LightSettings& light);
+
+/// Intervals of a right angle in which the reflectance of a facet is a polynomial of low degree; see FacetPoints.
+int facet_intervals(const Mechanism& mechanism);
 
 /// The cost of a reflectance at one wavelength, in units of that of a film.
 /// @param slices  per plane of a crystal

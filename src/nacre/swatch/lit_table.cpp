@@ -27,6 +27,13 @@ bool is_of_material(const Axis& axis) {
     return !axis.is_angle() && axis.parameter.name != "azimuth_deg";
 }
 
+// Of rough facets half are steeper than alpha, of tilted ones half are steeper than 1.18 standard deviations.
+double slope_of(const Relief& relief) {
+    constexpr double deviations_of_a_half = 1.18;
+    if (relief.roughness > 0.0) return relief.roughness * relief.roughness / deviations_of_a_half;
+    return relief.tilt_deg * std::numbers::pi / 180.0;
+}
+
 struct Between {
     int low;       // the next texel is low + 1
     double share;  // of the next
@@ -48,8 +55,8 @@ LitTable lit_table(const Job& job, double most_effort) {
     fine.x = default_axis(table.quantity);
     fine.y = table.second;
     const PlotArea& area = fine.y ? plane_area_of_two : line_area;
-    table.first_tilt_deg = mechanism_at(fine, 0.0, 0.0).effects.tilt_deg;
-    table.last_tilt_deg = mechanism_at(fine, 0.0, 1.0).effects.tilt_deg;
+    table.first_slope = slope_of(mechanism_at(fine, 0.0, 0.0).effects.relief);
+    table.last_slope = slope_of(mechanism_at(fine, 0.0, 1.0).effects.relief);
     table.mirrored = bake_panel(fine, area, most_effort).image;
     if (!scatters_below(job)) return table;
     table.scattered = std::move(table.mirrored);
@@ -75,8 +82,8 @@ Xyz mirrored_at(const LitTable& table, double cos_theta, double along) {
 }
 
 double blur_rad(const LitTable& table, double along) {
-    if (table.first_tilt_deg == 0.0 && table.last_tilt_deg == 0.0) return 0.0;
-    return 2.0 * std::lerp(table.first_tilt_deg, table.last_tilt_deg, along) * std::numbers::pi / 180.0;
+    if (table.first_slope == 0.0 && table.last_slope == 0.0) return 0.0;
+    return 2.0 * std::lerp(table.first_slope, table.last_slope, along);
 }
 
 }  // namespace nacre

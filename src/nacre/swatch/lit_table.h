@@ -23,9 +23,9 @@ struct LitTable {
     Image<Xyz> mirrored;   ///< x: the angle; y: the second axis, its first value in the last row
     Image<Xyz> scattered;  ///< what a base that is no metal scatters, of the same size; empty: there is none
     Quantity quantity = Quantity::incidence;
-    double first_tilt_deg = 0.0;  ///< of the facets, at the first value of the second axis
-    double last_tilt_deg = 0.0;   ///< and at the last
-    std::optional<Axis> second;   ///< a number of the material
+    double first_slope = 0.0;    ///< of the facets, its deviation in radians, at the first value of the second axis
+    double last_slope = 0.0;     ///< and at the last
+    std::optional<Axis> second;  ///< a number of the material
 };
 
 /// Of a job with two axes the number of the material (the second, if both are) becomes the second axis. An azimuth does

@@ -284,7 +284,7 @@ void print(const char* what, const Judged& tally) {
 
 Mechanism refined(Mechanism mechanism, const std::optional<Base>& base, double tilt_deg = 0.0) {
     mechanism.effects.base = base;
-    mechanism.effects.tilt_deg = tilt_deg;
+    mechanism.effects.relief.tilt_deg = tilt_deg;
     return mechanism;
 }
 
@@ -369,6 +369,20 @@ std::vector<std::pair<std::string, Mechanism>> tilts() {
             {"tilted palette", refined(palette, {}, 12.0)}};
 }
 
+Mechanism rough(Mechanism mechanism, double roughness) {
+    mechanism.effects.relief.roughness = roughness;
+    return mechanism;
+}
+
+std::vector<std::pair<std::string, Mechanism>> roughnesses() {
+    const Film film{1.0, 2.0, 420.0, 1.5, 0.0};
+    const Film soap{1.0, 1.33, 1400.0, 1.0, 0.0};
+    const Palette palette{{{10.0, {560.0, 90.0, 0.9}}, {45.0, {470.0, 70.0, 0.6}}}};
+    return {{"hardly rough", rough(film, 0.02)},     {"rough", rough(refined(film, GreyBase{0.3}), 0.4)},
+            {"very rough", rough(film, 1.0)},        {"rough soap", rough(soap, 0.15)},
+            {"rough palette", rough(palette, 0.25)}, {"rough spectra", rough(measurements().front().second, 0.3)}};
+}
+
 std::vector<std::pair<std::string, Mechanism>> spreads() {
     const Film film{1.0, 1.8, 500.0, 1.5, 30.0};
     Stack pair;
@@ -416,7 +430,8 @@ TEST_P(Budgets, HoldAtOneAndATenthAndAFiftieth) {
 INSTANTIATE_TEST_SUITE_P(Effects, Budgets,
                          testing::Values(Group{"gratings", gratings}, Group{"crystals", crystals},
                                          Group{"scatter", scatterers}, Group{"measured", measurements},
-                                         Group{"bases", bases}, Group{"tilts", tilts}, Group{"spreads", spreads}),
+                                         Group{"bases", bases}, Group{"tilts", tilts},
+                                         Group{"roughnesses", roughnesses}, Group{"spreads", spreads}),
                          [](const auto& group) { return std::string(group.param.name); });
 
 TEST(EffectsAccuracyContract, NoFetchIsFartherFromTheModelThanWasAsked) {

@@ -99,7 +99,7 @@ TEST(ExactColours, AreThoseOfTheReferenceModelForRandomEffects) {
             const Geometry geometry = default_axis(quantity_of(scene.mechanism)).kind->geometry(x);
             EXPECT_LT(difference_to(model.at(x), scene.mechanism, geometry, light), promise)
                 << scene.name << ", " << mechanism_name(scene.mechanism) << ", tilt "
-                << scene.mechanism.effects.tilt_deg << ", at " << x;
+                << scene.mechanism.effects.relief.tilt_deg << ", at " << x;
         }
     }
 }

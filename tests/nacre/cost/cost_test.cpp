@@ -207,7 +207,7 @@ Job tilted_film() {
     Film film{Index(1.0), Index(1.45), 450.0, Index(2.2)};
     Job job;
     job.material = {"film", film, {}};
-    job.material.mechanism.effects.tilt_deg = 12.0;
+    job.material.mechanism.effects.relief.tilt_deg = 12.0;
     job.light = test::light_of();
     job.width = 256;
     return job;
@@ -226,7 +226,7 @@ TEST(Cost, EveryWayComputesTheColoursOfTiltedFacetsItself) {
 
 TEST(Cost, OfATiltedPaletteHasNoBaselinesOfSingleBands) {
     Job job = test::job_of(test::beetle);
-    job.material.mechanism.effects.tilt_deg = 12.0;
+    job.material.mechanism.effects.relief.tilt_deg = 12.0;
     const std::vector<CostCase> cases = cases_of(job, 1.0);
     const auto errors = errors_of(cases, CostFamily::integral);
     ASSERT_EQ(errors.size(), 1U);

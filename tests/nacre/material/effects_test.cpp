@@ -258,9 +258,12 @@ struct Nothing {
 };
 
 TEST(Effects, OfSizeZeroChangeNoBit) {
-    const auto no_tilt = [](Mechanism& m) { m.effects.tilt_deg = 0.0; };
+    const auto no_tilt = [](Mechanism& m) { m.effects.relief.tilt_deg = 0.0; };
     std::vector<Nothing> cases{
         {"film", film_on(1.5), no_tilt}, {"palette", morpho(), no_tilt}, {"opal", opal(), no_tilt}};
+    const auto no_roughness = [](Mechanism& m) { m.effects.relief.roughness = 0.0; };
+    cases.push_back({"film", film_on(1.5), no_roughness});
+    cases.push_back({"palette", morpho(), no_roughness});
     cases.push_back({"film", film_on(1.5), [](Mechanism& m) { std::get<Film>(m).thickness_spread_nm = 0.0; }});
     cases.push_back({"stack", stack_of({layer_of(2.3, 60.0), layer_of(1.38, 100.0)}),
                      [](Mechanism& m) { std::get<Stack>(m).thickness_spread_nm = 0.0; }});
@@ -277,30 +280,37 @@ TEST(Effects, OfSizeZeroChangeNoBit) {
         EXPECT_TRUE(same_bits(bake(job), plain)) << nothing.name;
         // The other way round: with a size, removed by name.
         Mechanism refined = nothing.plain;
-        refined.effects.tilt_deg = 10.0;
+        refined.effects.relief.tilt_deg = 10.0;
         if (auto* film = std::get_if<Film>(&refined)) film->thickness_spread_nm = 20.0;
         if (auto* stack = std::get_if<Stack>(&refined)) stack->thickness_spread_nm = 20.0;
         if (auto* crystal = std::get_if<Crystal>(&refined)) crystal->thickness_spread_nm = 5.0;
         if (auto* scatter = std::get_if<Scatter>(&refined))
-            scatter->radius_spread = 0.2, refined.effects.tilt_deg = 0.0;
+            scatter->radius_spread = 0.2, refined.effects.relief.tilt_deg = 0.0;
         job.material.mechanism = refined;
         EXPECT_FALSE(same_bits(bake(job), plain)) << nothing.name;
-        for (const Effect effect : {Effect::tilt, Effect::thickness_spread, Effect::size_spread})
+        for (const Effect effect : {Effect::tilt, Effect::roughness, Effect::thickness_spread, Effect::size_spread})
             job.without.insert(effect);
+        EXPECT_TRUE(same_bits(bake(job), plain)) << nothing.name;
+        if (refined.effects.relief.is_plane()) continue;
+        job.material.mechanism.effects.relief = {0.0, 0.4};
         EXPECT_TRUE(same_bits(bake(job), plain)) << nothing.name;
     }
 }
 
 TEST(Effects, OnAnAxisThatBeginsAtZeroBeginWithThePlainColour) {
-    Job job = sampled(film_on(1.5));
-    job.y = parameter_axis(job.material.mechanism, "tilt_deg", 0.0, 30.0);
-    job.height = 3;
-    const Image<Xyz> both = bake(job);
-    const Image<Xyz> plain = bake(sampled(film_on(1.5)));
-    for (int column = 0; column < job.width; ++column) {
-        EXPECT_EQ(both.at(column, 0).x, plain.at(column, 0).x);
-        EXPECT_EQ(both.at(column, 0).y, plain.at(column, 0).y);
-        EXPECT_EQ(both.at(column, 0).z, plain.at(column, 0).z);
+    for (const char* parameter : {"tilt_deg", "roughness"}) {
+        for (const Mechanism& mechanism : {Mechanism(film_on(1.5)), Mechanism(morpho())}) {
+            Job job = sampled(mechanism);
+            const Image<Xyz> plain = bake(job);
+            job.y = parameter_axis(mechanism, parameter, 0.0, 1.0);
+            job.height = 3;
+            const Image<Xyz> both = bake(job);
+            for (int column = 0; column < job.width; ++column) {
+                EXPECT_EQ(both.at(column, 0).x, plain.at(column, 0).x);
+                EXPECT_EQ(both.at(column, 0).y, plain.at(column, 0).y);
+                EXPECT_EQ(both.at(column, 0).z, plain.at(column, 0).z);
+            }
+        }
     }
 }
 
@@ -310,7 +320,7 @@ TEST(Polarisation, LutsOfSAndPAverageToTheMean) {
     Film spread = film_on(1.5);
     spread.thickness_spread_nm = 15.0;
     Mechanism tilted = film_on(1.5);
-    tilted.effects.tilt_deg = 8.0;
+    tilted.effects.relief.tilt_deg = 8.0;
     const std::vector<Mechanism> all{film_on(RefractiveIndex(0.4, 2.5)),
                                      spread,
                                      tilted,
@@ -328,7 +338,7 @@ TEST(Polarisation, LutsOfSAndPAverageToTheMean) {
         job.material.mechanism.effects.polarisation = Polarisation::p;
         const Image<Xyz> p = bake(job);
         // A mean over facets is one over a curve, which is as good as CIEDE2000 0.001.
-        const double tolerance = mechanism.effects.tilt_deg > 0.0 ? 2e-5 : 1e-12;
+        const double tolerance = mechanism.effects.relief.tilt_deg > 0.0 ? 2e-5 : 1e-12;
         double apart = 0.0;
         for (int i = 0; i < job.width; ++i) {
             EXPECT_NEAR(0.5 * (s.at(i, 0).x + p.at(i, 0).x) / mean.at(i, 0).x, 1.0, tolerance);
@@ -384,8 +394,11 @@ std::vector<Counted> counted() {
     s_only.effects.polarisation = Polarisation::s;
     all.push_back({s_only, {}});
     Mechanism tilted = morpho();
-    tilted.effects.tilt_deg = 5.0;
+    tilted.effects.relief.tilt_deg = 5.0;
     all.push_back({tilted, set_of({Effect::tilt})});
+    Mechanism rough = morpho();
+    rough.effects.relief.roughness = 0.3;
+    all.push_back({rough, set_of({Effect::roughness})});
     Grating first = disc();
     first.orders = {1};
     all.push_back({first, {}});

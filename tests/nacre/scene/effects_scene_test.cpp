@@ -182,6 +182,8 @@ const std::vector<Form> effect_forms{
     {"Metal", good_stack + "base = { metal = \"al\" }\n", good_stack + "base = { metal = \"al\" }\n"},
     {"BaseBelowGlass", good_film + "base = 0.5\ntilt_deg = 0\npolarisation = \"mean\"\n", good_film + "base = 0.5\n"},
     {"TiltOfAPalette", good_palette + "tilt_deg = 60\n", good_palette + "tilt_deg = 60\n"},
+    {"RoughnessOfAPalette", good_palette + "roughness = 0.35\n", good_palette + "roughness = 0.35\n"},
+    {"RoughnessOfAFilm", good_film + "tilt_deg = 0\nroughness = 1\n", good_film + "roughness = 1\n"},
     {"TiltOfAFilm", good_film + "tilt_deg = 7.25\n", good_film + "tilt_deg = 7.25\n"},
     {"TiltOfAStack", good_stack + "tilt_deg = 1\n", good_stack + "tilt_deg = 1\n"},
     {"TiltOfACrystal", good_crystal + "tilt_deg = 1\n", good_crystal + "tilt_deg = 1\n"},
@@ -234,7 +236,7 @@ public:
         if (perhaps()) crystal.thickness_spread_nm = number(0, 1e4);
         Mechanism mechanism = crystal;
         if (perhaps()) mechanism.effects.base = base();
-        if (perhaps()) mechanism.effects.tilt_deg = number(0, 60);
+        if (perhaps()) mechanism.effects.relief.tilt_deg = number(0, 60);
         add_polarisation(mechanism);
         return mechanism;
     }
@@ -262,7 +264,7 @@ public:
         for (int i = 0; i < angles; ++i) spectra.angle_deg.push_back(10.0 * i + number(0, 9));
         for (int i = 0; i < wavelengths * angles; ++i) spectra.reflectance.push_back(number(0, 10));
         Mechanism mechanism = spectra;
-        if (perhaps()) mechanism.effects.tilt_deg = number(0, 60);
+        if (perhaps()) mechanism.effects.relief.tilt_deg = number(0, 60);
         return mechanism;
     }
 
@@ -352,17 +354,18 @@ TEST(Parameters, AreThoseThatTheMechanismHas) {
         names.insert(names.end(), more.begin(), more.end());
         return names;
     };
-    EXPECT_EQ(parameter_names(good_crystal), and_then({"substrate.k", "tilt_deg"}));
+    EXPECT_EQ(parameter_names(good_crystal), and_then({"substrate.k", "tilt_deg", "roughness"}));
     // Light that is to reach a base and come back needs a substrate that lets it pass.
-    EXPECT_EQ(parameter_names(good_crystal + "base = 0.5\n"), and_then({"tilt_deg", "base.reflectance"}));
-    EXPECT_EQ(parameter_names(crystal + "sphere = \"sio2\"\ndiameter_nm = 250\nspacing_nm = 220\nsubstrate = \"si\"\n"),
-              (Names{"diameter_nm", "spacing_nm", "thickness_spread_nm", "medium.n", "medium.k", "tilt_deg"}));
+    EXPECT_EQ(parameter_names(good_crystal + "base = 0.5\n"), and_then({"tilt_deg", "roughness", "base.reflectance"}));
+    EXPECT_EQ(
+        parameter_names(crystal + "sphere = \"sio2\"\ndiameter_nm = 250\nspacing_nm = 220\nsubstrate = \"si\"\n"),
+        (Names{"diameter_nm", "spacing_nm", "thickness_spread_nm", "medium.n", "medium.k", "tilt_deg", "roughness"}));
     EXPECT_EQ(parameter_names(good_scatter),
               (Names{"radius_nm", "radius_spread", "volume_fraction", "thickness_um", "particle.n", "particle.k"}));
     EXPECT_EQ(parameter_names(scatter + "model = \"quasi_ordered\"\nparticle = \"sio2\"\nradius_nm = "
                                         "100\nvolume_fraction = 0.2\nhard_radius_nm = 120\n"),
               (Names{"radius_nm", "radius_spread", "volume_fraction", "thickness_um", "hard_radius_nm"}));
-    EXPECT_EQ(parameter_names(good_measured), Names{"tilt_deg"});
+    EXPECT_EQ(parameter_names(good_measured), (Names{"tilt_deg", "roughness"}));
 }
 
 TEST(Parameters, SetWhatTheyNameAndNothingElse) {
@@ -398,7 +401,7 @@ TEST(Parameters, SetWhatTheyNameAndNothingElse) {
     EXPECT_EQ(std::get<Crystal>(at(good_crystal, "medium.k", 0.25)).medium.constant, RefractiveIndex(1.0, 0.25));
     EXPECT_EQ(std::get<Crystal>(at(good_crystal, "sphere.n", 2.5)).sphere.constant, RefractiveIndex(2.5, 0.0));
     EXPECT_EQ(std::get<Scatter>(at(good_scatter, "radius_nm", 25)).radius_nm, 25);
-    EXPECT_EQ(at(good_film, "tilt_deg", 25).effects.tilt_deg, 25);
+    EXPECT_EQ(at(good_film, "tilt_deg", 25).effects.relief.tilt_deg, 25);
     EXPECT_EQ(at(good_film + "base = 0.5\n", "base.reflectance", 0.25).effects.base, Base(GreyBase{0.25}));
 }
 
@@ -431,6 +434,9 @@ TEST(Parameters, LeadNowhereThatASceneCouldNotGoItself) {
                     Mechanism there = mechanism;
                     x.set(there, end(x.allowed, (corner & 1) != 0));
                     if (y.name != x.name) y.set(there, end(y.allowed, (corner & 2) != 0));
+                    // No LUT has both as its axes.
+                    const Relief& relief = there.effects.relief;
+                    if (relief.tilt_deg > 0.0 && relief.roughness > 0.0) continue;
                     const std::string toml = mechanism_toml(there);
                     EXPECT_EQ(scene.message(toml), "was accepted") << x.name << ", " << y.name << "\n" << toml;
                 }
@@ -477,7 +483,9 @@ TEST(Parameters, RangesHoldTheMechanismsOwnNumber) {
                     "0.6\nhard_radius_nm = 100\n"}) {
         const Mechanism mechanism = scene.mechanism(keys);
         for (const Parameter& parameter : parameters_of(mechanism)) {
-            if (parameter.name.find('.') != std::string::npos || parameter.name == "tilt_deg") continue;
+            if (parameter.name.find('.') != std::string::npos || parameter.name == "tilt_deg" ||
+                parameter.name == "roughness")
+                continue;
             const double own = parameter.name == "diameter_nm"       ? 250.0
                                : parameter.name == "spacing_nm"      ? 150.0
                                : parameter.name == "radius_nm"       ? 100.0
@@ -590,7 +598,7 @@ const std::vector<Mistake> crystal_mistakes{
      "s.toml:5:23 [material.m]: thickness_spread_nm = -1 is out of range; allowed [0, 10000] nm"},
     {"UnknownKeyOfACrystal", crystal + "sphere = 1.45\ndiameter_nm = 250\nlattice = \"bcc\"\n",
      "s.toml:5:1 [material.m]: unknown key \"lattice\"; known: mechanism, incident, sphere, medium, diameter_nm, "
-     "spacing_nm, planes, substrate, thickness_spread_nm, base, tilt_deg, polarisation"},
+     "spacing_nm, planes, substrate, thickness_spread_nm, base, tilt_deg, roughness, polarisation"},
 };
 
 const std::vector<Mistake> scatter_mistakes{
@@ -734,6 +742,21 @@ const std::vector<Mistake> effect_mistakes{
      "grating"},
     {"TiltOutOfRange", good_film + "tilt_deg = 61\n",
      "s.toml:7:12 [material.m]: tilt_deg = 61 is out of range; allowed [0, 60] degrees"},
+    {"RoughnessOutOfRange", good_film + "roughness = 1.01\n",
+     "s.toml:7:13 [material.m]: roughness = 1.01 is out of range; allowed [0, 1]"},
+    {"RoughnessAndTilt", good_film + "tilt_deg = 3\nroughness = 0.4\n",
+     "s.toml:8:13 [material.m]: tilt_deg and roughness both say how the facets lean; remove one of them"},
+    {"RoughnessOfAGrating", good_grating + "roughness = 0.4\n",
+     "s.toml:8:1 [material.m]: roughness has no meaning for mechanism grating, whose colour does not depend on the "
+     "angle to the normal; allowed for palette, film, stack, crystal, measured"},
+    {"RoughnessAsAxisOfATiltedFilm",
+     good_film + "tilt_deg = 3\n[lut.a]\ny = { parameter = \"roughness\", from = 0, to = 1 }\n",
+     "s.toml:8:1 [lut.a]: tilt_deg and roughness both say how the facets lean; remove one of them, or its axis"},
+    {"RoughnessAndTiltAsAxes",
+     good_film +
+         "[lut.a]\nx = { parameter = \"tilt_deg\", from = 0, to = 9 }\ny = { parameter = \"roughness\", from = 0, "
+         "to = 1 }\n",
+     "s.toml:7:1 [lut.a]: tilt_deg and roughness both say how the facets lean; remove one of them, or its axis"},
     {"TiltInWords", good_film + "tilt_deg = \"some\"\n",
      "s.toml:7:12 [material.m]: tilt_deg = \"some\" is a string; give a number"},
     {"UnknownPolarisation", good_film + "polarisation = \"circular\"\n",

@@ -479,7 +479,7 @@ const std::vector<Mistake> mistakes{
      "s.toml:3:26 [material.f]: unknown key \"gap\"; known: layers, repeat"},
     {"UnknownKeyOfAFilm", std::string(good_film) + "layers = 3\n",
      "s.toml:5:1 [material.f]: unknown key \"layers\"; known: mechanism, incident, index, thickness_nm, substrate, "
-     "thickness_spread_nm, base, tilt_deg, polarisation"},
+     "thickness_spread_nm, base, tilt_deg, roughness, polarisation"},
     {"UnknownKeyOfAnIndex", film_with("{ n = 1.5, m = 2 }"),
      "s.toml:3:20 [material.f]: unknown key \"m\"; did you mean n?"},
     {"UnknownForm", std::string(stack) + "form = \"sheets\"\n",
@@ -487,7 +487,7 @@ const std::vector<Mistake> mistakes{
     {"LayersOfLamellae",
      std::string(stack) + "form = \"lamellae\"\nfilm = 1.5\nfilm_nm = 100\ngap_nm = 100\nlayers = []\n",
      "s.toml:7:1 [material.f]: unknown key \"layers\"; known: mechanism, incident, form, film, film_nm, gap, gap_nm, "
-     "films, substrate, thickness_spread_nm, base, tilt_deg, polarisation"},
+     "films, substrate, thickness_spread_nm, base, tilt_deg, roughness, polarisation"},
     {"LamellaeWithoutFilm", std::string(stack) + "form = \"lamellae\"\nfilm_nm = 100\ngap_nm = 100\n",
      "s.toml:1:1 [material.f]: film is missing; give a number, { n, k }, or the name of a material"},
     {"PlaneOfAFilm", std::string(good_film) + "[swatch.s]\ndraw = \"plane\"\n",
@@ -547,10 +547,10 @@ const std::vector<Mistake> mistakes{
      "s.toml:3:44 [material.f]: unknown outside \"keep\"; known: error, hold"},
     {"AxisOverNothing", std::string(good_film) + "[lut.a]\nx = { parameter = \"thickness\", from = 1, to = 2 }\n",
      "s.toml:6:19 [lut.a]: mechanism film has no parameter \"thickness\"; known: thickness_nm, thickness_spread_nm, n, "
-     "k, substrate.n, substrate.k, tilt_deg"},
+     "k, substrate.n, substrate.k, tilt_deg, roughness"},
     {"AxisOverTheIndexOfAMaterial", film_with("\"bk7\"") + "[lut.a]\nx = { parameter = \"n\", from = 1, to = 2 }\n",
      "s.toml:6:19 [lut.a]: mechanism film has no parameter \"n\"; known: thickness_nm, thickness_spread_nm, "
-     "substrate.n, substrate.k, tilt_deg"},
+     "substrate.n, substrate.k, tilt_deg, roughness"},
     {"AxisIntoGain", std::string(good_film) + "[lut.a]\nx = { parameter = \"k\", from = -1, to = 2 }\n",
      "s.toml:6:31 [lut.a]: from = -1 is out of range; allowed [0, 1000]"},
 };

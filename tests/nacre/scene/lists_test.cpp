@@ -46,15 +46,16 @@ struct Meant {
 };
 
 TEST(MeantKey, IsASynonymFirstAndThenTheNearestName) {
-    const std::vector<std::string> film{"mechanism", "incident", "index", "thickness_nm", "substrate", "tilt_deg"};
+    const std::vector<std::string> film{"mechanism", "incident", "index", "thickness_nm", "substrate", "roughness"};
     const std::vector<std::string> pick{"angle_deg", "colour", "space", "peak_nm", "width_nm", "height"};
     const std::vector<std::string> top{"nacre", "accuracy", "light", "colour", "material", "lut", "swatch"};
     for (const Meant& one :
          {Meant{"ior", film, "index"}, Meant{"IOR", film, "index"}, Meant{"thickness", film, "thickness_nm"},
-          Meant{"roughness", film, "tilt_deg"}, Meant{"type", film, "mechanism"}, Meant{"colr", pick, "colour"},
-          Meant{"Colour", pick, "colour"}, Meant{"hex", pick, "colour"}, Meant{"color_space", pick, "space"},
-          Meant{"wavelength", pick, "peak_nm"}, Meant{"FWHM", pick, "width_nm"}, Meant{"texture", top, "lut"},
-          Meant{"materials", top, "material"}, Meant{"preview", top, "swatch"}, Meant{"frobnicate", top, ""}}) {
+          Meant{"perceptual_roughness", film, "roughness"}, Meant{"type", film, "mechanism"},
+          Meant{"colr", pick, "colour"}, Meant{"Colour", pick, "colour"}, Meant{"hex", pick, "colour"},
+          Meant{"color_space", pick, "space"}, Meant{"wavelength", pick, "peak_nm"}, Meant{"FWHM", pick, "width_nm"},
+          Meant{"texture", top, "lut"}, Meant{"materials", top, "material"}, Meant{"preview", top, "swatch"},
+          Meant{"frobnicate", top, ""}}) {
         EXPECT_EQ(meant_key(one.wrong, one.known), one.key) << one.wrong;
     }
 }

@@ -10,12 +10,14 @@
 #include "nacre/scene/catalogue.h"
 #include "nacre/scene/readers/base_reader.h"
 #include "nacre/scene/readers/index_keys.h"
+#include "nacre/scene/readers/mechanism_reader.h"
 #include "nacre/scene/readers/mechanism_readers.h"
 
 namespace nacre {
 namespace {
 
-constexpr Allowed allowed_tilt{0.0, 60.0, "degrees"};  // shadows are left out (tilt.h); beyond this they rule
+constexpr Allowed allowed_tilt{0.0, 60.0, "degrees"};  // shadows are left out (facets.h); beyond this they rule
+constexpr Allowed allowed_roughness{0.0, 1.0};
 constexpr Allowed allowed_base_reflectance{0.0, 1.0};
 
 struct PolarisationChoice {
@@ -37,7 +39,8 @@ struct EffectKey {
 };
 constexpr std::array effect_keys{
     EffectKey{"base", &EffectRefusals::base},
-    EffectKey{"tilt_deg", &EffectRefusals::tilt_deg},
+    EffectKey{"tilt_deg", &EffectRefusals::facets},
+    EffectKey{"roughness", &EffectRefusals::facets},
     EffectKey{"polarisation", &EffectRefusals::polarisation},
     EffectKey{"thickness_spread_nm", &EffectRefusals::thickness_spread_nm},
     EffectKey{"orders", &EffectRefusals::orders},
@@ -78,6 +81,15 @@ void check_substrate(const Table& table, const Mechanism& mechanism, const Index
                               number_text(transparent_k));
 }
 
+Relief read_relief(const Table& table) {
+    Relief relief;
+    relief.tilt_deg = table.number_or("tilt_deg", allowed_tilt, 0.0);
+    relief.roughness = table.number_or("roughness", allowed_roughness, 0.0);
+    if (relief.tilt_deg > 0.0 && relief.roughness > 0.0)
+        table.note_at("roughness", std::string(two_reliefs) + "; remove one of them");
+    return relief;
+}
+
 }  // namespace
 
 Effects read_effects(const Table& table, const Mechanism& mechanism, const SceneContext& context) {
@@ -86,7 +98,7 @@ Effects read_effects(const Table& table, const Mechanism& mechanism, const Scene
     Effects effects;
     if (refusals.base.empty()) effects.base = read_base(table, context);
     if (effects.base) check_substrate(table, mechanism, context.index);
-    if (refusals.tilt_deg.empty()) effects.tilt_deg = table.number_or("tilt_deg", allowed_tilt, 0.0);
+    if (refusals.facets.empty()) effects.relief = read_relief(table);
     if (refusals.polarisation.empty()) {
         const auto choice = read_word(table, "polarisation", "polarisation", polarisation_words);
         effects.polarisation = choice.polarisation;
@@ -97,9 +109,11 @@ Effects read_effects(const Table& table, const Mechanism& mechanism, const Scene
 
 std::vector<Parameter> effect_parameters(const Mechanism& mechanism) {
     std::vector<Parameter> parameters;
-    if (reader_of(mechanism).refusals.tilt_deg.empty()) {
+    if (reader_of(mechanism).refusals.facets.empty()) {
         parameters.push_back({"tilt_deg", "tilt of the facets", allowed_tilt,
-                              [](Mechanism& m, double value) { m.effects.tilt_deg = value; }});
+                              [](Mechanism& m, double value) { m.effects.relief.tilt_deg = value; }});
+        parameters.push_back({"roughness", "roughness", allowed_roughness,
+                              [](Mechanism& m, double value) { m.effects.relief.roughness = value; }});
     }
     const auto& base = mechanism.effects.base;
     if (base && std::holds_alternative<GreyBase>(*base)) {
@@ -112,7 +126,9 @@ std::vector<Parameter> effect_parameters(const Mechanism& mechanism) {
 std::string effects_toml(const Effects& effects) {
     std::string text;
     if (effects.base) text += "base = " + base_toml(*effects.base) + "\n";
-    if (effects.tilt_deg > 0.0) text += "tilt_deg = " + number_text(effects.tilt_deg) + "\n";
+    const Relief& relief = effects.relief;
+    if (relief.tilt_deg > 0.0) text += "tilt_deg = " + number_text(relief.tilt_deg) + "\n";
+    if (relief.roughness > 0.0) text += "roughness = " + number_text(relief.roughness) + "\n";
     const std::string_view choice = name_of(polarisation_words, {effects.polarisation, effects.both_polarisations});
     if (choice != polarisation_words.front().name) text += "polarisation = " + toml_string(choice) + "\n";
     return text;

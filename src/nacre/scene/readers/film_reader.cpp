@@ -75,7 +75,7 @@ const MechanismReader film_reader{
     .warning = nullptr,
     .check_axis = nullptr,
     .refusals = {.base = not_refused,
-                 .tilt_deg = not_refused,
+                 .facets = not_refused,
                  .polarisation = not_refused,
                  .thickness_spread_nm = not_refused,
                  .orders = no_orders},

@@ -221,7 +221,7 @@ const MechanismReader grating_reader{
     .warning = grating_warning,
     .check_axis = nullptr,
     .refusals = {.base = "which transmits nothing",
-                 .tilt_deg = "whose colour does not depend on the angle to the normal",
+                 .facets = "whose colour does not depend on the angle to the normal",
                  .polarisation = "whose theory is scalar",
                  .thickness_spread_nm = "which has no layers",
                  .orders = not_refused},

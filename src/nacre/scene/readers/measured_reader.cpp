@@ -135,7 +135,7 @@ const MechanismReader measured_reader{
     .warning = nullptr,
     .check_axis = nullptr,
     .refusals = {.base = no_transmission,
-                 .tilt_deg = not_refused,
+                 .facets = not_refused,
                  .polarisation = "whose light is that of the measurement",
                  .thickness_spread_nm = "whose measurement contains the spread",
                  .orders = no_orders},

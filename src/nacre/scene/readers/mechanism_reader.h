@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "nacre/colour/light.h"
@@ -31,6 +32,9 @@ ReadMechanism read_mechanism(const Table& table, const SceneContext& context);
 
 /// The names of those that picks can lead to, the palette first.
 std::vector<std::string> mechanisms_with_picks();
+
+/// Why a surface cannot have both.
+inline constexpr std::string_view two_reliefs = "tilt_deg and roughness both say how the facets lean";
 
 /// Every numeric parameter that a mechanism has, in the order in which they are offered.
 std::vector<Parameter> parameters_of(const Mechanism& mechanism);

@@ -20,7 +20,7 @@ struct Refusal : std::string_view {
 };
 struct EffectRefusals {
     Refusal base;
-    Refusal tilt_deg;
+    Refusal facets;  ///< tilt_deg and roughness
     Refusal polarisation;
     Refusal thickness_spread_nm;
     Refusal orders;
@@ -60,8 +60,8 @@ extern const MechanismReader measured_reader;
 const MechanismReader& reader_of(const Mechanism& mechanism);
 const MechanismReader& reader_at(std::size_t index);
 
-// effects_reader.cpp reads base, tilt_deg and polarisation. It refuses them, thickness_spread_nm and orders where they
-// have no meaning; where these two have one, the mechanism's own reader reads them.
+// effects_reader.cpp reads base, tilt_deg, roughness and polarisation. It refuses them, thickness_spread_nm and orders
+// where they have no meaning; where these two have one, the mechanism's own reader reads them.
 
 Effects read_effects(const Table& table, const Mechanism& mechanism, const SceneContext& context);
 std::vector<Parameter> effect_parameters(const Mechanism& mechanism);

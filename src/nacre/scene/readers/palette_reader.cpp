@@ -198,7 +198,7 @@ const MechanismReader palette_reader{
     .warning = palette_warning,
     .check_axis = check_angles_stay_apart,
     .refusals = {.base = no_transmission,
-                 .tilt_deg = not_refused,
+                 .facets = not_refused,
                  .polarisation = "which describes unpolarised light",
                  .thickness_spread_nm = "which has no layers",
                  .orders = no_orders},

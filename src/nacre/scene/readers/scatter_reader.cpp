@@ -201,7 +201,7 @@ const MechanismReader scatter_reader{
     .warning = nullptr,
     .check_axis = nullptr,
     .refusals = {.base = "which models only the light that its particles scatter",
-                 .tilt_deg = "whose particles have no facets",
+                 .facets = "whose particles have no facets",
                  .polarisation = not_refused,
                  .thickness_spread_nm = "which has no layers (radius_spread is for its particles)",
                  .orders = no_orders},

@@ -114,7 +114,9 @@ void refuse_what_picks_exclude(const Table& table, const Effects& effects) {
     const auto refuse = [&](std::string_view key, const std::string& why) {
         table.note_at(key, std::string(key) + " and picks: " + why + "; remove one of them");
     };
-    if (effects.tilt_deg > 0.0) refuse("tilt_deg", "the search takes a surface without facets");
+    constexpr const char* no_facets = "the search takes a surface without facets";
+    if (effects.relief.tilt_deg > 0.0) refuse("tilt_deg", no_facets);
+    if (effects.relief.roughness > 0.0) refuse("roughness", no_facets);
     if (effects.both_polarisations) refuse("polarisation", "a pick has one colour, and two polarisations have two");
 }
 

@@ -1,4 +1,4 @@
-#include "nacre/shade/tilt.h"
+#include "nacre/shade/facets.h"
 
 #include <algorithm>
 #include <cmath>
@@ -24,7 +24,7 @@ double visible_arc(double along, double across) {
 
 }  // namespace
 
-std::vector<Facet> visible_facets(double tilt_deg, const Incidence& incidence, TiltPoints points) {
+std::vector<Facet> tilted_facets(double tilt_deg, const Incidence& incidence, FacetPoints points) {
     const double tilt = tilt_deg * rad_per_deg;
     const double steepest = std::min(most_deviations * tilt, 0.5 * std::numbers::pi);
     const double first_hidden = (90.0 - incidence.theta_deg) * rad_per_deg;
@@ -55,6 +55,13 @@ std::vector<Facet> visible_facets(double tilt_deg, const Incidence& incidence, T
     if (!(visible > 0.0)) return {{cos_theta, 1.0}};
     for (Facet& facet : facets) facet.share /= visible;
     return facets;
+}
+
+std::vector<Facet> seen_facets(const Relief& relief, const Incidence& incidence, FacetPoints points) {
+    if (relief.roughness == 0.0) return tilted_facets(relief.tilt_deg, incidence, points);
+    std::vector<double> angles_rad;
+    for (int i = 1; i < points.intervals; ++i) angles_rad.push_back(0.5 * std::numbers::pi * i / points.intervals);
+    return RoughFacets().at(relief.roughness, incidence, angles_rad);
 }
 
 Xyz mean_over_facets(const std::vector<Facet>& facets, const XyzCurve& colour, std::uint64_t& points) {
@@ -118,6 +125,13 @@ double density(double tau, double tilt) {
 }
 
 }  // namespace
+
+void FacetColours::prepare_rough() {
+    // What eight points per interval integrate beside the weights of facets (roughness.cpp).
+    constexpr std::size_t low_degree = 8;
+    short_pieces_ = colour_.in_pieces(low_degree);
+    for (const double s : short_pieces_.borders()) angles_rad_.push_back(std::acos(s * s));
+}
 
 void FacetColours::expand(int degree) {
     if (static_cast<int>(series_.size()) > degree) return;
@@ -196,8 +210,14 @@ void FacetColours::blur(double tilt_deg) {
     blurred_deg_ = tilt_deg;
 }
 
-Xyz FacetColours::mean(double tilt_deg, const Incidence& incidence, std::uint64_t& points) {
-    if (tilt_deg < least_blurred_deg) return mean_over_facets(visible_facets(tilt_deg, incidence), colour_, points);
+Xyz FacetColours::mean(const Relief& relief, const Incidence& incidence, std::uint64_t& points) {
+    if (relief.roughness == 0.0) return tilted_mean(relief.tilt_deg, incidence, points);
+    if (!short_pieces_.is_made()) prepare_rough();
+    return mean_over_facets(rough_facets_.at(relief.roughness, incidence, angles_rad_), short_pieces_, points);
+}
+
+Xyz FacetColours::tilted_mean(double tilt_deg, const Incidence& incidence, std::uint64_t& points) {
+    if (tilt_deg < least_blurred_deg) return mean_over_facets(tilted_facets(tilt_deg, incidence), colour_, points);
     if (blurred_deg_ != tilt_deg) blur(tilt_deg);
     Term sum{};
     legendre(incidence.cos_theta, static_cast<int>(blurred_.size()) - 1, [&](int l, double value) {

@@ -9,15 +9,19 @@
 
 #include "nacre/colour/colour_types.h"
 #include "nacre/colour/xyz_curve.h"
+#include "nacre/material/relief.h"
 #include "nacre/optics/incidence.h"
+#include "nacre/shade/facet.h"
+#include "nacre/shade/roughness.h"
 
 namespace nacre {
 
 /// How finely the mean over facets is taken.
-struct TiltPoints {
-    int rings = 8;    ///< angles between facet and surface, per interval
-    int spokes = 16;  ///< directions around, of a half turn
-    friend bool operator==(const TiltPoints&, const TiltPoints&) = default;
+struct FacetPoints {
+    int rings = 8;    ///< of tilted ones: angles between facet and surface, per interval
+    int spokes = 16;  ///< of tilted ones: directions around, of a half turn
+    int intervals =
+        8;  ///< of rough ones: of the right angle, in each of which their colour is a polynomial of low degree
 };
 
 /// A surface of small mirrors (scales, grains, brush marks): the mean of a colour over their normals.
@@ -28,22 +32,22 @@ struct TiltPoints {
 ///
 /// The integral is taken by Gauss-Legendre rules around the surface's normal, over the part of every ring that is
 /// visible; the rings are split at the tilt at which parts of them turn away, so that no rule spans a kink.
-struct Facet {
-    double cos_theta = 1.0;  ///< at which it is seen
-    double share = 0.0;      ///< of what is seen in all
-};
+///
 /// @param tilt_deg  > 0
-std::vector<Facet> visible_facets(double tilt_deg, const Incidence& incidence, TiltPoints points = {});
+std::vector<Facet> tilted_facets(double tilt_deg, const Incidence& incidence, FacetPoints points = {});
+
+/// The facets of either law. @pre !relief.is_plane()
+std::vector<Facet> seen_facets(const Relief& relief, const Incidence& incidence, FacetPoints points = {});
 
 /// The mean of a colour over sqrt(cos(theta)). @param points  what it took is added
 Xyz mean_over_facets(const std::vector<Facet>& facets, const XyzCurve& colour, std::uint64_t& points);
 
-/// The same mean at many angles and tilts, a hundred times faster.
+/// The same mean at many angles and reliefs, much faster.
 ///
-/// What is seen times its cosine is a function of direction that only depends on the angle to the eye, 0 behind the
-/// facets; the mean is that function blurred on the sphere. Blurring multiplies the coefficients of its Legendre series
-/// (Funk and Hecke), and fine detail is gone after a few terms per tilt. Below `least_blurred_deg` there would be too
-/// many of them: there facets are summed one by one.
+/// Of a rough surface it is a sum over few facets. Of a tilted one, what is seen times its cosine is a function of
+/// direction that only depends on the angle to the eye, 0 behind the facets; the mean is that function blurred on the
+/// sphere. Blurring multiplies the coefficients of its Legendre series (Funk and Hecke), and fine detail is gone after
+/// a few terms per tilt. Below `least_blurred_deg` there would be too many of them: there facets are summed one by one.
 class FacetColours {
 public:
     FacetColours() = default;
@@ -51,19 +55,24 @@ public:
     bool is_made() const { return colour_.is_made(); }
     const XyzCurve& colour() const { return colour_; }
 
-    /// @param tilt_deg  > 0
-    /// @param points    terms and points that it took are added
-    Xyz mean(double tilt_deg, const Incidence& incidence, std::uint64_t& points);
+    /// @param points  terms and points that it took are added
+    /// @pre !relief.is_plane()
+    Xyz mean(const Relief& relief, const Incidence& incidence, std::uint64_t& points);
 
     static constexpr double least_blurred_deg = 0.3;
 
 private:
     using Term = std::array<double, 4>;  // of X, Y, Z and of the facets themselves
+    Xyz tilted_mean(double tilt_deg, const Incidence& incidence, std::uint64_t& points);
+    void prepare_rough();
     void expand(int degree);
     void blur(double tilt_deg);
 
     XyzCurve colour_;
-    std::vector<Term> series_;  // per degree, of colour times cosine
+    RoughFacets rough_facets_;
+    XyzCurve short_pieces_;           // the colour in polynomials of low degree, for rough facets
+    std::vector<double> angles_rad_;  // between which these are
+    std::vector<Term> series_;        // per degree, of colour times cosine
     std::vector<double> kept_after(double tilt, int degree);
 
     // P_l at Gauss's points between normal and right angles, all points of a degree in a row.

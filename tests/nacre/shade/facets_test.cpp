@@ -1,5 +1,5 @@
 // The mean over facets, against Monte Carlo and against an integral around the eye (tests/reference/facets.h).
-#include "nacre/shade/tilt.h"
+#include "nacre/shade/facets.h"
 
 #include <gtest/gtest.h>
 
@@ -43,7 +43,7 @@ TEST(VisibleFacets, AreAllThatIsSeen) {
     for (const double tilt_deg : tilts_deg) {
         for (const double theta_deg : angles_deg) {
             double sum = 0.0;
-            for (const Facet& facet : visible_facets(tilt_deg, Incidence::from_degrees(theta_deg))) {
+            for (const Facet& facet : tilted_facets(tilt_deg, Incidence::from_degrees(theta_deg))) {
                 EXPECT_GE(facet.cos_theta, 0.0);
                 EXPECT_LE(facet.cos_theta, 1.0);
                 EXPECT_GE(facet.share, 0.0);
@@ -59,7 +59,7 @@ TEST(FacetColours, OfOneColourHaveThatColour) {
     std::uint64_t points = 0;
     for (const double tilt_deg : tilts_deg) {
         for (const double theta_deg : angles_deg) {
-            const Xyz mean = facets.mean(tilt_deg, Incidence::from_degrees(theta_deg), points);
+            const Xyz mean = facets.mean({tilt_deg}, Incidence::from_degrees(theta_deg), points);
             // At grazing a series in Legendre polynomials is a small difference of larger terms.
             EXPECT_LT(largest_distance(mean, {0.2, 0.7, 1.1}), 1e-9) << tilt_deg << " " << theta_deg;
         }
@@ -80,10 +80,10 @@ TEST(FacetColours, AgreeWithAnIntegralAroundTheEye) {
                             expected.z + facet.share * seen.z};
             }
             const Incidence incidence = Incidence::from_degrees(theta_deg);
-            const Xyz mean = facets.mean(tilt_deg, incidence, points);
+            const Xyz mean = facets.mean({tilt_deg}, incidence, points);
             // The reference's midpoints meet the edge of facets at right angles: 2e-5 of tilts beyond 15 degrees.
             EXPECT_LT(largest_distance(mean, expected), 5e-5) << tilt_deg << " " << theta_deg;
-            const Xyz summed = mean_over_facets(visible_facets(tilt_deg, incidence, {48, 96}), colour, points);
+            const Xyz summed = mean_over_facets(tilted_facets(tilt_deg, incidence, {48, 96}), colour, points);
             EXPECT_LT(largest_distance(summed, expected), 5e-5) << tilt_deg << " " << theta_deg;
         }
     }
@@ -120,7 +120,7 @@ TEST(FacetColours, AgreeWithMonteCarlo) {
                     squares[c] += weight * weight * parts[c] * parts[c];
                 }
             }
-            const Xyz mean = facets.mean(tilt_deg, Incidence::from_degrees(theta_deg), points);
+            const Xyz mean = facets.mean({tilt_deg}, Incidence::from_degrees(theta_deg), points);
             const std::array<double, 3> means{mean.x, mean.y, mean.z};
             for (std::size_t c = 0; c < 3; ++c) {
                 // Five standard deviations of the sum, which is more than the ratio's.
@@ -138,7 +138,7 @@ TEST(FacetColours, OfALittleTiltDifferByTheSquareOfIt) {
     std::uint64_t points = 0;
     for (const double tilt_deg : {0.05, 0.2, 0.5, 1.0}) {
         const double square = tilt_deg * rad_per_deg * tilt_deg * rad_per_deg;
-        const Xyz mean = facets.mean(tilt_deg, Incidence::from_degrees(0.0), points);
+        const Xyz mean = facets.mean({tilt_deg}, Incidence::from_degrees(0.0), points);
         // Higher powers; and what the sum over a few rings errs by, where there is no series.
         const double left =
             20.0 * square * square + (tilt_deg < FacetColours::least_blurred_deg ? 3e-4 * square : 1e-9);
@@ -155,7 +155,7 @@ TEST(FacetColours, AlongTheSurfaceAreTurnedToTheEye) {
     std::uint64_t points = 0;
     for (const double tilt_deg : {0.02, 0.1, 0.28, 0.5, 1.0}) {
         const double tilt = tilt_deg * rad_per_deg;
-        const Xyz mean = facets.mean(tilt_deg, Incidence::from_degrees(90.0), points);
+        const Xyz mean = facets.mean({tilt_deg}, Incidence::from_degrees(90.0), points);
         const double expected = tilt * std::sqrt(std::numbers::pi / 2.0);
         // Beyond slopes come squares of the tilt. A sum over a few rings errs by 4e-4, of a cosine that is some 1e-3.
         const double rule = tilt_deg < FacetColours::least_blurred_deg ? 5e-4 : 1e-6;
@@ -173,7 +173,7 @@ TEST(FacetColours, StayBetweenTheDarkestAndTheBrightest) {
     std::uint64_t points = 0;
     for (const double tilt_deg : tilts_deg) {
         for (const double theta_deg : angles_deg) {
-            const double y = facets.mean(tilt_deg, Incidence::from_degrees(theta_deg), points).y;
+            const double y = facets.mean({tilt_deg}, Incidence::from_degrees(theta_deg), points).y;
             EXPECT_LE(y, 1.0 + 1e-6) << tilt_deg << " " << theta_deg;
             EXPECT_GE(y, 0.1 - 1e-6) << tilt_deg << " " << theta_deg;
         }

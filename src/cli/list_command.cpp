@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <memory>
 #include <string>
 #include <vector>
@@ -12,6 +13,7 @@
 #include "nacre/base/text.h"
 #include "pipeline/json.h"
 #include "pipeline/listed_table.h"
+#include "pipeline/metal_table.h"
 #include "pipeline/name_lists.h"
 
 namespace nacre {
@@ -42,6 +44,29 @@ void print_names(const std::string& list, const std::string& ocio, Console& cons
     }
     for (const std::string& line : table_lines(rows)) console.summary(line);
     if (console.json()) console.result_json(Json{{"list", list}, {"names", json}});
+}
+
+// F0 and F82 as renderers take them. Four decimals are more than an eye tells apart.
+void print_metals(Console& console) {
+    const auto text = [](const std::array<double, 3>& rgb) {
+        return fixed_text(rgb[0], 4) + " " + fixed_text(rgb[1], 4) + " " + fixed_text(rgb[2], 4);
+    };
+    std::vector<std::vector<std::string>> rows{{"metal", "space", "F0", "F82", "F82 tint", "dE00", "Schlick dE00"}};
+    Json json = Json::array();
+    for (const MetalInSpace& row : metal_table()) {
+        rows.push_back({row.metal, row.space, text(row.f0), text(row.f82), text(row.tint),
+                        significant_text(row.f82_de00, 2), significant_text(row.schlick_de00, 2)});
+        json.push_back(Json{{"name", row.metal},
+                            {"description", row.description},
+                            {"space", row.space},
+                            {"f0", row.f0},
+                            {"f82", row.f82},
+                            {"f82_tint", row.tint},
+                            {"f82_de00", row.f82_de00},
+                            {"schlick_de00", row.schlick_de00}});
+    }
+    for (const std::string& line : table_lines(rows)) console.summary(line);
+    if (console.json()) console.result_json(Json{{"list", "metals"}, {"names", json}});
 }
 
 // The result itself, so --quiet prints it too.
@@ -77,6 +102,8 @@ int run_list(const ListOptions& options, Console& console) {
     check_words(words);
     if (words.empty()) {
         print_titles(console);
+    } else if (words.size() == 1 && words[0] == "metals") {
+        print_metals(console);
     } else if (words.size() == 1) {
         print_names(words[0], options.ocio, console);
     } else {
@@ -90,18 +117,20 @@ int run_list(const ListOptions& options, Console& console) {
 Command list_command() {
     const auto options = std::make_shared<ListOptions>();
     Command command{"list", "print the names that a scene may use, and the CIE tables", {}, {}};
-    command.options = {
-        {.names = "LIST",
-         .target = &options->words,
-         .help = "materials, spaces, displays, illuminants, mechanisms, axes, ...; without it, all lists. The name of "
-                 "an illuminant or of an observer behind its list prints its table as CSV"},
-        ocio_option(options->ocio)};
+    command.options = {{.names = "LIST",
+                        .target = &options->words,
+                        .help = "materials, metals, spaces, displays, illuminants, mechanisms, axes, ...; without it, "
+                                "all lists. The name of "
+                                "an illuminant or of an observer behind its list prints its table as CSV"},
+                       ocio_option(options->ocio)};
     command.footer =
         "\nThe colour spaces and the displays are those of the OpenColorIO config: --ocio, else $OCIO, else the "
         "config\n"
         "that nacre contains. A table has the numbers of the CIE: the relative power of an illuminant, in the form "
         "that\n"
-        "[light] reads, or the colour matching functions of an observer.\n\nExamples:\n  nacre list materials\n"
+        "[light] reads, or the colour matching functions of an observer. metals has the colours of the shipped metals\n"
+        "for a renderer: F0, F82 and the tint of the F82-tint model, and its largest error in CIEDE2000.\n\n"
+        "Examples:\n  nacre list materials\n  nacre list metals\n"
         "  nacre list spaces --ocio config.ocio\n  nacre list illuminants FL11\n"
         "  nacre list observers cie1931_2deg\n";
     command.run = [options](Console& console) { return run_list(*options, console); };

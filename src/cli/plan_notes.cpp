@@ -1,9 +1,12 @@
 #include "cli/plan_notes.h"
 
+#include <algorithm>
+#include <array>
 #include <cstddef>
 #include <optional>
 #include <string>
 #include <variant>
+#include <vector>
 
 #include "cli/found_report.h"
 #include "cli/report.h"
@@ -17,6 +20,10 @@
 
 namespace nacre {
 namespace {
+
+std::string rgb_text(const std::array<double, 3>& rgb) {
+    return "(" + number_text(rgb[0]) + ", " + number_text(rgb[1]) + ", " + number_text(rgb[2]) + ")";
+}
 
 // A material as it is called in the variant that the scene is of.
 std::string called(const std::string& material, const LoadedScene& scene) {
@@ -102,6 +109,25 @@ void note_edges(const LoadedScene& scene, Console& console) {
     }
 }
 
+// How metals of a colour are made.
+void note_metals(const LoadedScene& scene, Console& console) {
+    for (const SceneMaterial& material : scene.plan.materials) {
+        for_each_index(material.mechanism, [&](const Index& index, IndexRole) {
+            if (index.is_constant() || !index.curve->metal) return;
+            const auto range = [](const std::vector<double>& values) {
+                const auto [least, most] = std::minmax_element(values.begin(), values.end());
+                const std::string first = significant_text(*least, 3), last = significant_text(*most, 3);
+                return first == last ? first : first + " to " + last;
+            };
+            const auto* n = std::get_if<SampledCurve>(&index.curve->n);
+            console.summary(called(material.name, scene) + ": the metal with F0 = " + rgb_text(index.curve->metal->f0) +
+                            " has n = " + (n != nullptr ? range(n->value) : "1") +
+                            ", k = " + range(std::get<SampledCurve>(index.curve->k).value) +
+                            ": a smooth reflectance of this colour under D65");
+        });
+    }
+}
+
 }  // namespace
 
 void note_scene(const LoadedScene& scene, Console& console) {
@@ -110,6 +136,7 @@ void note_scene(const LoadedScene& scene, Console& console) {
     note_pale_paths(scene, console);
     note_clamps(scene, console);
     note_edges(scene, console);
+    note_metals(scene, console);
     for (const PlannedLut& lut : scene.plan.luts) {
         if (lut.preview != Preview::none) console.summary(preview_file(lut) + ": preview");
     }

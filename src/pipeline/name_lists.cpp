@@ -1,10 +1,12 @@
 #include "pipeline/name_lists.h"
 
+#include <algorithm>
 #include <memory>
 
 #include "io/scene/shipped_materials.h"
 #include "nacre/base/error.h"
 #include "nacre/base/names.h"
+#include "pipeline/metal_table.h"
 
 namespace nacre {
 namespace {
@@ -22,6 +24,14 @@ std::vector<ListedName> displays_of(const ColourSpaces& colours) {
     return names;
 }
 
+std::vector<ListedName> metals() {
+    std::vector<ListedName> names = shipped_material_list();
+    const std::vector<std::string> known = metal_names();
+    std::erase_if(
+        names, [&](const ListedName& one) { return std::find(known.begin(), known.end(), one.name) == known.end(); });
+    return names;
+}
+
 }  // namespace
 
 std::vector<ListTitle> list_titles() {
@@ -29,6 +39,7 @@ std::vector<ListTitle> list_titles() {
     for (const NameList& list : name_lists())
         titles.push_back({std::string(list.name), std::string(list.description), std::string(list.where)});
     titles.push_back({"materials", "refractive indices that nacre contains", "an index, in [material.NAME]"});
+    titles.push_back({"metals", "metals among the materials, with F0 and F82", "substrate in [material.NAME]"});
     titles.push_back({"spaces", "colour spaces of the OpenColorIO config", "space in [colour]"});
     titles.push_back({"displays", "displays of the OpenColorIO config", "display in [swatch.NAME]"});
     return titles;
@@ -40,6 +51,7 @@ std::vector<ListedName> listed_names(std::string_view list, const OpenColourSpac
         if (known.name == list) return known.names();
     }
     if (list == "materials") return shipped_material_list();
+    if (list == "metals") return metals();
     if (list == "spaces") return spaces_of(*open_colours(config));
     if (list == "displays") return displays_of(*open_colours(config));
     std::vector<std::string> known;

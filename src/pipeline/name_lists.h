@@ -16,7 +16,7 @@ struct ListTitle {
     std::string where;        ///< the key that takes the names
 };
 
-/// All lists: those of the core, then `materials`, `spaces` and `displays`.
+/// All lists: those of the core, then `materials`, `metals`, `spaces` and `displays`.
 std::vector<ListTitle> list_titles();
 
 /// The names of one of them. The config is opened for `spaces` and `displays` only.

@@ -56,6 +56,19 @@ TEST(List, WithoutANamePrintsAllListsAndWhereTheirNamesGo) {
         EXPECT_NE(("\n" + result.out).find("\n" + std::string(list) + " "), std::string::npos) << list;
 }
 
+TEST(List, OfMetalsHasTheirColoursForARenderer) {
+    const ProgramResult result = run_nacre({"list", "metals"});
+    EXPECT_EQ(result.out.find("metal  space       F0  "), 0u) << result.out;
+    EXPECT_NE(result.out.find("\nau     lin_ap1 "), std::string::npos) << result.out;
+    const auto json = nlohmann::json::parse(run_nacre({"list", "metals", "--json"}).out);
+    EXPECT_EQ(json["list"], "metals");
+    EXPECT_EQ(json["names"].size(), 15u);
+    EXPECT_EQ(json["names"][0]["name"], "ag");
+    EXPECT_EQ(json["names"][0]["description"], "silver");
+    EXPECT_EQ(json["names"][0]["f0"].size(), 3u);
+    EXPECT_GT(json["names"][0]["schlick_de00"], json["names"][0]["f82_de00"]);
+}
+
 TEST(List, AnUnknownListIsAnErrorThatNamesTheKnown) {
     const ProgramResult result = run_nacre({"list", "colours"});
     EXPECT_EQ(result.exit_code, 2);

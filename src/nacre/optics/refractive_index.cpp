@@ -87,6 +87,20 @@ double absorption_at(const std::variant<double, SampledCurve>& k, double wavelen
 
 }  // namespace
 
+// Gulbrandsen's k^2 has the factors (n_max - n)(n - 1 / n_max). With d = 2 sqrt(R) / (1 + R) they are sums of positive
+// terms, so that nothing cancels.
+RefractiveIndex metal_index(double reflectance, double edge_tint) {
+    const double root = std::sqrt(reflectance);
+    const double n_max = (1.0 + root) * (1.0 + root) / (1.0 - reflectance);
+    const double d = 2.0 * root / (1.0 + reflectance);
+    const double n = (1.0 - reflectance) / (1.0 + reflectance) + (1.0 - edge_tint) * d * n_max;
+    return {n, d * std::sqrt(edge_tint * (1.0 + (1.0 - edge_tint) * n_max * n_max))};
+}
+
+RefractiveIndex metal_index(double reflectance) {
+    return {1.0, 2.0 * std::sqrt(reflectance / (1.0 - reflectance))};
+}
+
 double IndexFormula::at(double wavelength_nm) const {
     const double um = wavelength_nm / 1000.0;
     const double square_um2 = um * um;

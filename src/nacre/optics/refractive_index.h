@@ -1,8 +1,10 @@
 #pragma once
 
+#include <array>
 #include <complex>
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <variant>
@@ -14,6 +16,25 @@ namespace nacre {
 
 /// n + ik at one wavelength, k >= 0, for fields that go as exp(-i omega t).
 using RefractiveIndex = std::complex<double>;
+
+/// The index of a surface with a known reflectance R at normal incidence from vacuum, and with an edge tint g:
+///
+///     n = g (1 - R) / (1 + R) + (1 - g) (1 + sqrt R) / (1 - sqrt R),   k^2 = (R (n + 1)^2 - (n - 1)^2) / (1 - R)
+///
+/// g = 0 is a dielectric (k = 0), and the larger g, the brighter the surface near grazing.
+/// Source: Gulbrandsen 2014, Artist Friendly Metallic Fresnel, Journal of Computer Graphics Techniques 3(4), 64-72.
+/// @param reflectance  R, in [0, 1)
+/// @param edge_tint    g, in [0, 1]
+RefractiveIndex metal_index(double reflectance, double edge_tint);
+/// The same with n = 1, that is g = (1 + R) / (1 + sqrt R): k = 2 sqrt(R / (1 - R)).
+RefractiveIndex metal_index(double reflectance);
+
+/// A metal as renderers describe it, in linear Rec.709. What it stands for: pick/coloured_metal.h.
+struct MetalColour {
+    std::array<double, 3> f0{};                        ///< its colour at normal incidence, in [0, 1)
+    std::optional<std::array<double, 3>> edge_tint{};  ///< in [0, 1]; none: n = 1
+    friend bool operator==(const MetalColour&, const MetalColour&) = default;
+};
 
 /// One of the dispersion formulas that refractiveindex.info numbers 1 to 9.
 ///
@@ -50,8 +71,9 @@ struct IndexCurve {
     std::variant<double, SampledCurve> k = 0.0;  ///< >= 0
     double first_nm = 0.0;                       ///< what is known: where both n and k are
     double last_nm = 1e6;
-    bool is_shipped = false;     ///< whether it is a shipped material, which its name identifies
-    bool holds_outside = false;  ///< whether the end values continue beyond the ends
+    bool is_shipped = false;             ///< whether it is a shipped material, which its name identifies
+    bool holds_outside = false;          ///< whether the end values continue beyond the ends
+    std::optional<MetalColour> metal{};  ///< what n and k were made from, if a colour
 
     /// Tables are linear between their nodes, n and k each on its own.
     /// @pre wavelength_nm is in [first_nm, last_nm], or holds_outside (then the nearer end counts)

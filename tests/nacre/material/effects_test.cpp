@@ -19,9 +19,9 @@
 #include "nacre/colour/illuminant.h"
 #include "nacre/colour/rgb_space.h"
 #include "nacre/lut/bake.h"
+#include "nacre/pick/smooth_rgb.h"
 #include "nacre/scene/plan.h"
 #include "nacre/scene/readers/axis_reader.h"
-#include "nacre/scene/readers/smooth_rgb.h"
 #include "nacre/shade/layered_colour.h"
 #include "nacre/shade/spectra.h"
 

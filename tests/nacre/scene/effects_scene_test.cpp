@@ -14,10 +14,10 @@
 #include "nacre/base/error.h"
 #include "nacre/lut/planned_lut.h"
 #include "nacre/material/mechanism.h"
+#include "nacre/pick/smooth_rgb.h"
 #include "nacre/scene/mistakes.h"
 #include "nacre/scene/plan.h"
 #include "nacre/scene/readers/mechanism_reader.h"
-#include "nacre/scene/readers/smooth_rgb.h"
 #include "nacre/scene/scene_context.h"
 #include "support/folders.h"
 

@@ -9,8 +9,9 @@
 #include "nacre/base/crop_curve.h"
 #include "nacre/base/names.h"
 #include "nacre/base/text.h"
+#include "nacre/pick/smooth_rgb.h"
 #include "nacre/scene/readers/index_keys.h"
-#include "nacre/scene/readers/smooth_rgb.h"
+#include "nacre/scene/readers/metal_reader.h"
 
 namespace nacre {
 namespace {
@@ -31,12 +32,7 @@ std::vector<double> read_numbers(const Table& table, std::string_view key, const
 
 RgbBase read_rgb(const Table& table) {
     const Where& where = table.find("rgb")->where;
-    const std::vector<double> numbers = read_numbers(table, "rgb", allowed_reflectance);
-    if (numbers.size() != 3) {
-        table.fail(where, "rgb has " + std::to_string(numbers.size()) +
-                              " numbers; give three, of linear Rec.709: [red, green, blue]");
-    }
-    const Upsampled found = upsampled({numbers[0], numbers[1], numbers[2]});
+    const Upsampled found = upsampled(read_rec709(table, "rgb", allowed_reflectance));
     // None of 20 000 random colours is off by more than 4e-5; if one is, it is said rather than shown.
     if (!(found.ciede2000 <= most_ciede2000)) {
         table.fail(where, "no smooth reflectance has this colour; the nearest misses by CIEDE2000 " +

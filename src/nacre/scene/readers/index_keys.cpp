@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "nacre/base/text.h"
+#include "nacre/scene/readers/metal_reader.h"
 
 namespace nacre {
 
@@ -54,7 +55,10 @@ double read_spread(const Table& table) {
 
 void add_index_parameters(const std::string& prefix, const std::string& of_what, const Index& index,
                           const std::function<Index&(Mechanism&)>& find, std::vector<Parameter>& parameters) {
-    if (!index.is_constant()) return;
+    if (!index.is_constant()) {
+        if (index.curve->metal) parameters.push_back(f0_parameter(prefix, of_what, *index.curve->metal, find));
+        return;
+    }
     parameters.push_back({prefix + "n", "refractive index" + of_what, allowed_n,
                           [find](Mechanism& m, double value) { find(m).constant.real(value); }});
     parameters.push_back({prefix + "k", "absorption index" + of_what, allowed_k,

@@ -33,7 +33,7 @@ void warn_of_thin_layer(const Table& table, std::string_view key, const Value& v
 /// thickness_spread_nm; 0 if it is missing.
 double read_spread(const Table& table);
 
-/// `prefix` + "n" and "k", of an index that is a number.
+/// `prefix` + "n" and "k" of an index that is a number, or "f0" of one that is a metal's colour.
 void add_index_parameters(const std::string& prefix, const std::string& of_what, const Index& index,
                           const std::function<Index&(Mechanism&)>& find, std::vector<Parameter>& parameters);
 

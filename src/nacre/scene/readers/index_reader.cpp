@@ -6,10 +6,13 @@
 #include <cmath>
 #include <cstddef>
 #include <functional>
+#include <optional>
 
 #include "nacre/base/crop_curve.h"
 #include "nacre/base/names.h"
 #include "nacre/base/text.h"
+#include "nacre/pick/coloured_metal.h"
+#include "nacre/scene/readers/metal_reader.h"
 
 namespace nacre {
 namespace {
@@ -233,6 +236,10 @@ IndexCurve IndexReader::read_written_curve(const Table& table, std::string_view 
 }
 
 Index IndexReader::read_table(const Table& table, std::string_view key) const {
+    if (const std::optional<MetalColour> metal = read_metal(table, key)) {
+        table.expect_all_read();
+        return Index(coloured_metal(*metal));
+    }
     // So that a misspelling is answered with all of them.
     for (const std::string_view known : {"n", "k", "material", "cauchy", "sellmeier", "formula", "coefficients",
                                          "wavelength_nm", "k_wavelength_nm", "range_nm", "outside", "name"}) {

@@ -21,7 +21,7 @@ struct IndexReader {
     double last_nm;
 
     /// A number; { n, k }; the name of a material; { material, outside }; { cauchy }, { sellmeier } or { formula,
-    /// coefficients }, each with k and range_nm; { wavelength_nm, n, k }.
+    /// coefficients }, each with k and range_nm; { wavelength_nm, n, k }; of a substrate { f0, edge_tint }.
     /// Notes mistakes, and then gives air.
     /// @param key  what the value stands behind, for messages
     Index read(const Table& table, std::string_view key, const Value& value) const;

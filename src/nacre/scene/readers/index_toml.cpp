@@ -1,3 +1,5 @@
+#include <array>
+
 #include "nacre/base/text.h"
 #include "nacre/scene/readers/index_reader.h"
 
@@ -41,6 +43,13 @@ std::string index_toml(const Index& index) {
         return "{ n = " + n + ", k = " + number_text(index.constant.imag()) + " }";
     }
     const IndexCurve& curve = *index.curve;
+    if (curve.metal) {
+        const auto rgb = [](const std::array<double, 3>& colour) {
+            return numbers_text({colour.begin(), colour.end()});
+        };
+        const auto& tint = curve.metal->edge_tint;
+        return "{ f0 = " + rgb(curve.metal->f0) + (tint ? ", edge_tint = " + rgb(*tint) : "") + " }";
+    }
     if (curve.is_shipped) {
         if (!curve.holds_outside) return toml_string(curve.name);
         return "{ material = " + toml_string(curve.name) + ", outside = \"hold\" }";

@@ -98,7 +98,9 @@ std::vector<Parameter> parameters_of(const Mechanism& mechanism) {
     if (reader.parameters != nullptr) parameters = reader.parameters(mechanism);
     // Light has to get through the substrate to a base.
     if (mechanism.effects.base) {
-        std::erase_if(parameters, [](const Parameter& parameter) { return parameter.name == "substrate.k"; });
+        std::erase_if(parameters, [](const Parameter& parameter) {
+            return parameter.name == "substrate.k" || parameter.name == "substrate.f0";
+        });
     }
     for (Parameter& parameter : effect_parameters(mechanism)) parameters.push_back(std::move(parameter));
     return parameters;

@@ -18,7 +18,8 @@ struct Upsampled {
 ///
 /// Accuracy: every component of XYZ within 1e-10 (`RgbBase.HasTheColourThatItWasMadeFor`), on the faces and corners of
 /// the cube, too; of nearly pure colours a hundred thousand times darker than white, within 1e-7.
-/// @param rgb  linear Rec.709, each in [0, 1]
-Upsampled upsampled(const std::array<double, 3>& rgb);
+/// @param rgb       linear Rec.709, each in [0, 1]
+/// @param stations  the steps from grey to the colour; with fewer, the method may end before it, as ciede2000 says
+Upsampled upsampled(const std::array<double, 3>& rgb, int stations = 16);
 
 }  // namespace nacre

@@ -1,5 +1,5 @@
 // What lies below the layers: reflectances for colours, against the CIE's tables by hand.
-#include "nacre/scene/readers/smooth_rgb.h"
+#include "nacre/pick/smooth_rgb.h"
 
 #include <gtest/gtest.h>
 

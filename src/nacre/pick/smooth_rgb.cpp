@@ -4,7 +4,7 @@
 // components. They are found by Levenberg and Marquardt's method. It starts from the grey of the same luminance, whose
 // coefficients are known, and goes to the colour in even steps, each of which starts from the one before it: from grey
 // straight to a nearly pure colour the method would get stuck where the sigmoid is flat.
-#include "nacre/scene/readers/smooth_rgb.h"
+#include "nacre/pick/smooth_rgb.h"
 
 #include <algorithm>
 #include <cmath>
@@ -105,7 +105,7 @@ glm::dvec3 approach(const SigmoidColours& colours, const glm::dvec3& target, glm
 
 }  // namespace
 
-Upsampled upsampled(const std::array<double, 3>& rgb) {
+Upsampled upsampled(const std::array<double, 3>& rgb, int stations) {
     if (rgb[0] == rgb[1] && rgb[1] == rgb[2]) return {{rgb, {0.0, 0.0, sigmoid_argument(rgb[0])}}, 0.0};
     const SigmoidColours colours;
     const glm::dvec3 target(rgb[0], rgb[1], rgb[2]);
@@ -113,7 +113,6 @@ Upsampled upsampled(const std::array<double, 3>& rgb) {
     glm::dvec3 found(0.0, 0.0, sigmoid_argument(grey.x));
     // Empirical: with 20 000 random colours and all faces and corners of the cube every approach ended before its
     // limit.
-    constexpr int stations = 16;
     constexpr int steps_between = 20;
     constexpr int last_steps = 400;
     for (int i = 1; i < stations; ++i)

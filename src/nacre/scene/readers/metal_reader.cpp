@@ -38,6 +38,11 @@ std::optional<MetalColour> read_metal(const Table& table, std::string_view key) 
                        "{ n, k }, or the name of a material");
     }
     if (f0 == nullptr) table.fail_missing("f0", "edge_tint needs it: the metal's colour, [red, green, blue]");
+    for (const Table::Entry& entry : table.entries()) {
+        if (entry.key != "n" && entry.key != "k" && entry.key != "material") continue;
+        table.fail(entry.key_where,
+                   "f0 and " + entry.key + " are both given; n and k follow from f0, so remove one of them");
+    }
     MetalColour metal{read_rec709(table, "f0", allowed_f0)};
     if (edge_tint != nullptr) metal.edge_tint = read_rec709(table, "edge_tint", allowed_tint);
     return metal;

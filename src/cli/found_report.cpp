@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "nacre/base/text.h"
+#include "pipeline/manifest.h"
 
 namespace nacre {
 namespace {
@@ -45,6 +46,12 @@ std::string answer_text(const MaterialSearch& search, std::size_t answer) {
         for (const NearMaterial& near : found.near) text += near.key + " " + near.material + ", ";
         text += "together " + significant_text(*found.near_error, 2);
     }
+    if (found.tolerance) {
+        const Tolerance& tolerance = *found.tolerance;
+        text += "; thicknesses off by " + number_text(tolerance.thickness_nm) + " nm move the colour by " +
+                significant_text(tolerance.shift.mean, 2) + " on average, by " +
+                significant_text(tolerance.shift.percentile_95, 2) + " at the 95th percentile";
+    }
     return text + ")";
 }
 
@@ -73,6 +80,10 @@ Json found_json(const MaterialSearch& search) {
         for (const NearMaterial& near : found.near)
             one["nearest_materials"][near.key] = {{"material", near.material}, {"distance", near.distance}};
         if (found.near_error) one["error_of_nearest_materials"] = *found.near_error;
+        if (found.tolerance) {
+            one["tolerance"] = shift_json(found.tolerance->shift);
+            one["tolerance"]["thickness_nm"] = found.tolerance->thickness_nm;
+        }
         json.push_back(one);
     }
     return json;

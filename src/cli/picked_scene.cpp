@@ -200,7 +200,11 @@ void show_found(const PickOptions& options, const Plan& asked, std::size_t answe
     const Plan plan =
         plan_of(scene_text({options.name, material, picks_of(options, lines), "", true}), options, console);
     std::vector<PickedColour> picked = plan.materials.front().picked;
-    for (PickedColour& one : picked) one.is_searched = !search.search.free.empty();
+    const auto& tolerance = search.found[answer].tolerance;
+    for (std::size_t i = 0; i < picked.size(); ++i) {
+        picked[i].is_searched = !search.search.free.empty();
+        if (tolerance) picked[i].tolerance = tolerance->per_colour[i];
+    }
     const bool is_measured = !options.measured.empty();
     if (is_measured) {
         const auto angles = compare_with_measured(read_spectra_csv(options.measured), plan.materials.front());

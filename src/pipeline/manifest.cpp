@@ -91,6 +91,10 @@ Json axis_json(const Axis& axis) {
     return {{"parameter", axis.parameter.name}, {"from", axis.from}, {"to", axis.to}};
 }
 
+Json shift_json(const ColourShift& shift) {
+    return {{"mean_de00", rounded_up(shift.mean)}, {"percentile_95_de00", rounded_up(shift.percentile_95)}};
+}
+
 Json picked_json(const PickedColour& picked) {
     Json json{{"pick", picked.pick}, {"angle_deg", picked.angle_deg}, {"colour", picked.text}};
     if (picked.lobe) {
@@ -104,6 +108,7 @@ Json picked_json(const PickedColour& picked) {
     }
     json["de00"] = rounded_up(picked.de00);
     json["match"] = picked.is_met() ? (picked.lobe ? "exact" : "met") : (picked.lobe ? "dimmed" : "unmatched");
+    if (picked.tolerance) json["tolerance"] = shift_json(*picked.tolerance);
     return json;
 }
 

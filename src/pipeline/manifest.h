@@ -19,7 +19,10 @@ std::string manifest_text(const ChosenLut& lut, const BakedLut& baked);
 /// { axis } or { parameter, from, to }.
 Json axis_json(const Axis& axis);
 
-/// A pick that was given as a colour: { pick, angle_deg, colour, peak_nm, width_nm, height, de00, match }.
+/// { mean_de00, percentile_95_de00 }.
+Json shift_json(const ColourShift& shift);
+
+/// A pick that was given as a colour: { pick, angle_deg, colour, peak_nm, width_nm, height, de00, match, tolerance }.
 Json picked_json(const PickedColour& picked);
 
 }  // namespace nacre

@@ -1,5 +1,6 @@
 #include "nacre/base/gauss_points.h"
 
+#include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <cstddef>
@@ -102,6 +103,18 @@ std::vector<GaussPoint> normal_points(int count) {
     }
     for (GaussPoint& point : points) point.weight /= total;
     return points;
+}
+
+double normal_above(double share) {
+    double z = std::sqrt(-2.0 * std::log(share));
+    for (int i = 0; i < 50; ++i) {
+        const double excess = 0.5 * std::erfc(z / std::numbers::sqrt2) - share;
+        const double density = std::exp(-0.5 * z * z) * std::numbers::inv_sqrtpi / std::numbers::sqrt2;
+        const double step = excess / density;
+        z += std::clamp(step, -0.5, 0.5);
+        if (std::abs(step) < 1e-14) break;
+    }
+    return z;
 }
 
 }  // namespace nacre

@@ -31,4 +31,9 @@ std::vector<GaussPoint> gauss_normal(int count);
 /// @param count  >= 1
 std::vector<GaussPoint> normal_points(int count);
 
+/// The normal variable of mean 0 and variance 1 above which a share of all lies, by Newton's method on the
+/// complementary error function.
+/// @param share  0 < share <= 1 / 2
+double normal_above(double share);
+
 }  // namespace nacre

@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <numbers>
 #include <numeric>
 #include <utility>
 
@@ -41,20 +40,6 @@ std::vector<double> roots_of_primes(std::size_t count) {
         if (is_prime) roots.push_back(std::sqrt(candidate));
     }
     return roots;
-}
-
-// The normal variable above which a share of all lies, share < 1 / 2, by Newton's method on the complementary error
-// function.
-double normal_above(double share) {
-    double z = std::sqrt(-2.0 * std::log(share));
-    for (int i = 0; i < 50; ++i) {
-        const double excess = 0.5 * std::erfc(z / std::numbers::sqrt2) - share;
-        const double density = std::exp(-0.5 * z * z) * std::numbers::inv_sqrtpi / std::numbers::sqrt2;
-        const double step = excess / density;
-        z += std::clamp(step, -0.5, 0.5);
-        if (std::abs(step) < 1e-14) break;
-    }
-    return z;
 }
 
 // The middles of equal shares of the positive half of a normal variable, ascending.

@@ -48,7 +48,13 @@ public:
         }
         std::vector<FoundMechanism> found;
         for (const Rated& answer : answers) found.push_back(objective_.judged(answer.design));
-        return ranked(std::move(found));
+        found = ranked(std::move(found));
+        for (FoundMechanism& one : found) {
+            if (!(search_.tolerance_nm > 0.0)) break;
+            one.tolerance = objective_.tolerance_of(one);
+            step();
+        }
+        return found;
     }
 
     FoundMechanism answer_near(const std::vector<double>& values) {

@@ -11,6 +11,7 @@
 #include "nacre/material/geometry.h"
 #include "nacre/material/mechanism.h"
 #include "nacre/optics/refractive_index.h"
+#include "nacre/pick/tolerance.h"
 
 namespace nacre {
 
@@ -31,6 +32,7 @@ struct FreeNumber {
     FreeScale scale = FreeScale::even;
     std::function<void(Mechanism&, double)> set;
     std::function<void(Mechanism&, const Index&)> set_index{};  ///< of an index: set to the index of a material
+    bool is_thickness = false;                                  ///< of a layer, in nm
 
     /// The number at a place of the range, u in [0, 1].
     double at(double u) const;
@@ -55,6 +57,7 @@ struct MechanismSearch {
     std::vector<FreeNumber> free;
     std::vector<WantedColour> wanted;
     std::vector<FreeExchange> exchanges{};  ///< to try
+    double tolerance_nm = 0.0;              ///< standard deviation of free thicknesses as they are made; 0: unknown
 };
 
 /// A shipped material that is near to a free index.
@@ -74,6 +77,8 @@ struct FoundMechanism {
 
     std::vector<NearMaterial> near;    ///< per free index
     std::optional<double> near_error;  ///< `error` with those materials, after all other numbers were found again
+
+    std::optional<Tolerance> tolerance;  ///< where the search has a `tolerance_nm`
 };
 
 /// The search for a material of the scene, and its answers, best first.

@@ -19,6 +19,9 @@ constexpr int few_steps = 8;
 constexpr int many_steps = 40;
 // Steps from the coarse minimum to the exact one.
 constexpr int last_steps = 12;
+// Nodes of its own: doubled until no colour moves by more, or until there are so many times as many.
+constexpr double own_nodes_de00 = 0.02;
+constexpr int own_nodes_most_times = 16;
 
 std::vector<Geometry> places_of(const MechanismSearch& search) {
     std::vector<Geometry> places;
@@ -137,10 +140,8 @@ Rated Objective::refined(const Design& start, SearchDetail detail) {
 }
 
 Rated Objective::refined_with_own_nodes(const Design& start) {
-    constexpr double converged_de00 = 0.02;
-    constexpr int most_times = 16;
     const Mechanism mechanism = mechanism_of(start);
-    const int times = converged_colours(mechanism, converged_de00, most_times).times;
+    const int times = converged_colours(mechanism, own_nodes_de00, own_nodes_most_times).times;
     return descended(start, shown_.sampling_for(mechanism, SearchDetail::report, times), last_steps);
 }
 
@@ -176,6 +177,37 @@ FoundMechanism Objective::judged(const Design& design) {
         found.de00.push_back(ciede2000(wanted_[i], to_lab(found.reached[i], d65_white)));
     found.error = error_of(found.reached);
     return found;
+}
+
+Tolerance Objective::tolerance_of(const FoundMechanism& found) {
+    constexpr int samples = 1024;  // empirical: mean and percentile of random cavities then are within 2 %
+    std::vector<std::size_t> inexact;
+    for (std::size_t i = 0; i < search_.free.size(); ++i) {
+        if (search_.free[i].is_thickness) inexact.push_back(i);
+    }
+    const int times = converged_colours(found.mechanism, own_nodes_de00, own_nodes_most_times).times;
+    const SearchSampling sampling = shown_.sampling_for(found.mechanism, SearchDetail::report, times);
+    std::vector<Xyz> shown(shown_.count());
+    shown_.at(found.mechanism, sampling, shown);
+    std::vector<Lab> exact;
+    for (const Xyz& colour : shown) exact.push_back(to_lab(colour, d65_white));
+    std::vector<double> all;
+    std::vector<std::vector<double>> per_colour(shown.size());
+    for (const std::vector<double>& errors : even_normal_points(samples, inexact.size())) {
+        Mechanism made = found.mechanism;
+        for (std::size_t j = 0; j < inexact.size(); ++j) {
+            const double made_nm = found.values[inexact[j]] + search_.tolerance_nm * errors[j];
+            search_.free[inexact[j]].set(made, std::max(made_nm, 0.0));
+        }
+        shown_.at(made, sampling, shown);
+        for (std::size_t i = 0; i < shown.size(); ++i) {
+            all.push_back(ciede2000(exact[i], to_lab(shown[i], d65_white)));
+            per_colour[i].push_back(all.back());
+        }
+    }
+    Tolerance tolerance{search_.tolerance_nm, shift_of(std::move(all)), {}};
+    for (std::vector<double>& de00 : per_colour) tolerance.per_colour.push_back(shift_of(std::move(de00)));
+    return tolerance;
 }
 
 }  // namespace nacre

@@ -52,6 +52,8 @@ public:
     Rated refined_with_own_nodes(const Design& start);
     /// Everything that is reported of an answer, with the detail of a report.
     FoundMechanism judged(const Design& design);
+    /// How far its colours move when its free thicknesses are inexact. @pre one is free
+    Tolerance tolerance_of(const FoundMechanism& found);
 
 private:
     struct Converged {

@@ -10,6 +10,7 @@
 #include "nacre/colour/colour_types.h"
 #include "nacre/optics/lobe.h"
 #include "nacre/pick/band/shown_colour.h"
+#include "nacre/pick/tolerance.h"
 
 namespace nacre {
 
@@ -28,6 +29,7 @@ struct PickedColour {
     std::string mechanism = "band";  ///< what was searched: "band", "film"
     bool is_searched =
         true;  ///< whether anything was free: else the scene has all numbers, and picks are compared with
+    std::optional<ColourShift> tolerance{};  ///< how far the colour moves within the search's tolerance
     Where where;
 
     /// Whether it is shown: by a band exactly, by anything else to `met_de00`.

@@ -456,12 +456,10 @@ const std::vector<Mistake> mistakes{
      "s.toml:3:10 [material.f]: layers = 3 is a whole number; give an array"},
     {"GradedThicknessOutsideAGroup", stack_of("{ index = 1.5, thickness_nm = { from = 100, to = 200 } }"),
      "s.toml:3:42 [material.f]: from and to run over the repeats of a group, and this layer is not in a group; give "
-     "one "
-     "value"},
+     "one value, or picks that a search for it is to meet"},
     {"GradedIndexOutsideAGroup", stack_of("{ index = { from = 1.5, to = 2 }, thickness_nm = 100 }"),
      "s.toml:3:22 [material.f]: from and to run over the repeats of a group, and this layer is not in a group; give "
-     "one "
-     "value"},
+     "one value, or picks that a search for it is to meet"},
     {"GradedWithoutAnEnd", stack_of("{ repeat = 2, layers = [ { index = 1.5, thickness_nm = { from = 100 } } ] }"),
      "s.toml:3:67 [material.f]: to is missing; it is required"},
     {"IncoherentInsideAGroup",

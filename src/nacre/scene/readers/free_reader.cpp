@@ -18,10 +18,24 @@ const Table* range_of(const Table& table, std::string_view key, const Value& val
     return sub.find("from") != nullptr || sub.find("to") != nullptr ? &sub : nullptr;
 }
 
+bool refuse_range(const Table& table, std::string_view key, const Value& value) {
+    const Table* range = range_of(table, key, value);
+    if (range == nullptr) return false;
+    for (const Table::Entry& entry : range->entries()) entry.read = true;
+    table.note(value.where, "from and to are the bounds of a search, and nothing searches for " + std::string(key) +
+                                " here; give one value, or picks that the search is to meet");
+    return true;
+}
+
+FreeNumber& FreeReader::leave_free(std::string name, const FreeRange& range,
+                                   const std::function<void(Mechanism&, double)>& set) {
+    search_.free.push_back({std::move(name), range.low, range.high, range.scale, set});
+    return search_.free.back();
+}
+
 void FreeReader::add(std::string_view key, const FreeRange& range, const std::function<void(Mechanism&, double)>& set) {
-    search_.free.push_back({std::string(key), range.low, range.high, range.scale, set});
     // Until it is found: whatever looks at the mechanism meanwhile sees something allowed.
-    set(search_.start, search_.free.back().at(0.5));
+    set(search_.start, leave_free(std::string(key), range, set).at(0.5));
 }
 
 FreeRange FreeReader::bounds(std::string_view key, const Table& range, const Allowed& allowed, FreeScale scale) const {
@@ -41,15 +55,18 @@ FreeRange FreeReader::bounds(std::string_view key, const Table& range, const All
 void FreeReader::number(std::string_view key, const Allowed& allowed, const FreeRange& usual,
                         const std::function<void(Mechanism&, double)>& set) {
     const Value* value = table_.find(key);
+    const bool is_thickness = allowed == allowed_thickness;
     if (value == nullptr) {
         add(key, usual, set);
     } else if (const Table* range = range_of(table_, key, *value)) {
         add(key, bounds(key, *range, allowed, usual.scale), set);
     } else {
         const double given = table_.checked_number(key, *value, allowed);
-        if (allowed == allowed_thickness) warn_of_thin_layer(table_, key, *value, given);
+        if (is_thickness) warn_of_thin_layer(table_, key, *value, given);
         set(search_.start, given);
+        return;
     }
+    search_.free.back().is_thickness = is_thickness;
 }
 
 void FreeReader::whole_number(std::string_view key, const Allowed& allowed, const FreeRange& usual,

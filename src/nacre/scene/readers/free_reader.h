@@ -25,6 +25,10 @@ inline constexpr FreeRange usual_substrate{1.0, 4.0};
 /// A sub-table { from = ..., to = ... }; null if the value is anything else.
 const Table* range_of(const Table& table, std::string_view key, const Value& value);
 
+/// Notes such a sub-table where nothing is searched for.
+/// @return whether the value is one
+bool refuse_range(const Table& table, std::string_view key, const Value& value);
+
 /// Reads the keys of a mechanism that picks are to lead to: a number, or whatever else the key may have, is fixed;
 /// { from, to } bounds the search; a key that is missing is looked for in its usual range.
 ///
@@ -44,9 +48,14 @@ public:
     /// Pairs of keys, read before, that belong to two parts which may change places; those that are free do.
     void exchange(std::initializer_list<std::pair<std::string_view, std::string_view>> keys);
 
+    /// What a sub-table { from, to } says.
+    FreeRange bounds(std::string_view key, const Table& range, const Allowed& allowed, FreeScale scale) const;
+    /// Leaves a number to the search. The start keeps the number that it has.
+    FreeNumber& leave_free(std::string name, const FreeRange& range,
+                           const std::function<void(Mechanism&, double)>& set);
+
 private:
     void add(std::string_view key, const FreeRange& range, const std::function<void(Mechanism&, double)>& set);
-    FreeRange bounds(std::string_view key, const Table& range, const Allowed& allowed, FreeScale scale) const;
 
     const Table& table_;
     const IndexReader& index_;

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "nacre/base/text.h"
+#include "nacre/scene/readers/free_reader.h"
 #include "nacre/scene/readers/metal_reader.h"
 
 namespace nacre {
@@ -36,8 +37,10 @@ Index read_incident(const Table& table, const IndexReader& reader) {
 }
 
 double read_thickness(const Table& table, std::string_view key) {
+    const Value* value = table.find(key);
+    if (value != nullptr && refuse_range(table, key, *value)) return 0.0;
     const double thickness_nm = table.number(key, allowed_thickness);
-    if (const Value* value = table.find(key)) warn_of_thin_layer(table, key, *value, thickness_nm);
+    if (value != nullptr) warn_of_thin_layer(table, key, *value, thickness_nm);
     return thickness_nm;
 }
 

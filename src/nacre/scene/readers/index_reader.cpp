@@ -12,6 +12,7 @@
 #include "nacre/base/names.h"
 #include "nacre/base/text.h"
 #include "nacre/pick/coloured_metal.h"
+#include "nacre/scene/readers/free_reader.h"
 #include "nacre/scene/readers/metal_reader.h"
 
 namespace nacre {
@@ -270,6 +271,7 @@ Index IndexReader::read_table(const Table& table, std::string_view key) const {
 
 Index IndexReader::read(const Table& table, std::string_view key, const Value& value) const {
     Index index(1.0);
+    if (refuse_range(table, key, value)) return index;
     attempt(table, value.where, [&] {
         if (std::holds_alternative<std::string>(value.data)) {
             index = read_material(table, key, value, false);

@@ -42,9 +42,23 @@ constexpr auto rows(std::index_sequence<Index...>) {
 constexpr auto all_readers = rows(std::make_index_sequence<std::variant_size_v<MechanismModel>>());
 
 // Table::find() would offer the key for misspellings of others.
+const Table::Entry* entry_of(const Table& table, std::string_view key) {
+    const auto found = std::find_if(table.entries().begin(), table.entries().end(),
+                                    [&](const Table::Entry& entry) { return entry.key == key; });
+    return found == table.entries().end() ? nullptr : &*found;
+}
+
 bool has_picks(const Table& table) {
-    return std::any_of(table.entries().begin(), table.entries().end(),
-                       [](const Table::Entry& entry) { return entry.key == "picks"; });
+    return entry_of(table, "picks") != nullptr;
+}
+
+void refuse_tolerance(const Table& table) {
+    const Table::Entry* tolerance = entry_of(table, "tolerance");
+    if (tolerance == nullptr) return;
+    tolerance->read = true;
+    table.note(tolerance->key_where,
+               "tolerance is of thicknesses that a search finds, and nothing is searched for here; give picks and a "
+               "mechanism other than palette, or remove tolerance");
 }
 
 bool takes_picks(const MechanismReader& reader) {
@@ -87,6 +101,7 @@ ReadMechanism read_mechanism(const Table& table, const SceneContext& context) {
         table.fail_at("picks", "picks have no meaning for mechanism " + name + "; allowed for " +
                                    comma_separated(mechanisms_with_picks()));
     }
+    refuse_tolerance(table);
     ReadMechanism read = reader.read(table, context);
     read.mechanism.effects = read_effects(table, read.mechanism, context);
     return read;

@@ -23,6 +23,7 @@ namespace {
 
 constexpr Allowed allowed_u{0.0, 2.0};
 constexpr Allowed allowed_weight{1e-6, 1e6};
+constexpr Allowed allowed_tolerance{1e-6, 1e4, "nm"};  // up to allowed_spread
 // Chosen: spectra change little between 16 angles, and the time of a search grows with every colour.
 constexpr std::size_t most_measured = 16;
 
@@ -120,10 +121,24 @@ void refuse_what_picks_exclude(const Table& table, const Effects& effects) {
     if (effects.both_polarisations) refuse("polarisation", "a pick has one colour, and two polarisations have two");
 }
 
+// How inexactly what is found is made.
+void read_tolerance(const Table& table, MechanismSearch& search) {
+    const Table* tolerance = table.table("tolerance");
+    if (tolerance == nullptr) return;
+    search.tolerance_nm = tolerance->number("thickness_nm", allowed_tolerance);
+    tolerance->expect_all_read();
+    if (std::any_of(search.free.begin(), search.free.end(), [](const auto& number) { return number.is_thickness; }))
+        return;
+    table.note(tolerance->where(), "tolerance is of thicknesses that the search finds, and none of this " +
+                                       std::string(mechanism_name(search.start)) +
+                                       " is free; leave one out, or bound it with from and to");
+}
+
 }  // namespace
 
 ReadMechanism find_mechanism(const Table& table, const SceneContext& context, MechanismSearch search) {
     refuse_what_picks_exclude(table, search.start.effects);
+    read_tolerance(table, search);
     std::vector<WantedPick> picks = read_wanted_picks(table, context, search.start);
     // A search takes seconds: it does not begin while there is a mistake.
     table.expect_all_read();
@@ -143,6 +158,7 @@ ReadMechanism find_mechanism(const Table& table, const SceneContext& context, Me
         picked.reached = found.front().reached[i];
         picked.de00 = found.front().de00[i];
         picked.is_searched = !search.free.empty();
+        if (found.front().tolerance) picked.tolerance = found.front().tolerance->per_colour[i];
         read.picked.push_back(std::move(picked));
     }
     read.search = MaterialSearch{"", std::move(search), std::move(found)};

@@ -46,7 +46,7 @@ std::vector<Layer> read_lamellae(const Table& table, const IndexReader& reader) 
     return {group};
 }
 
-std::vector<Layer> read_form(const Table& table, const IndexReader& index, StackForm form) {
+std::vector<Layer> read_form(const Table& table, const IndexReader& index, StackForm form, FreeReader* free) {
     if (form == StackForm::lamellae) return read_lamellae(table, index);
     const Value* layers = table.find("layers");
     if (layers == nullptr) {
@@ -56,19 +56,26 @@ std::vector<Layer> read_form(const Table& table, const IndexReader& index, Stack
         return {};
     }
     std::vector<Layer> read;
-    attempt(table, layers->where, [&] { read = read_layers(table, *layers, index); });
+    attempt(table, layers->where, [&] { read = read_layers(table, *layers, index, free); });
     return read;
 }
 
-Stack stack_of(const Table& table, const IndexReader& index) {
+bool has_range(const Table& table, std::string_view key) {
+    const Value* value = table.find(key);
+    return value != nullptr && range_of(table, key, *value) != nullptr;
+}
+
+// @param free  of a search; null: everything is given
+Stack stack_of(const Table& table, const IndexReader& index, FreeReader* free) {
     Stack stack;
     stack.incident = read_incident(table, index);
     const Value* word = table.find("form");
     const StackForm form = word == nullptr
                                ? StackForm::layers
                                : meaning_of(form_words, "form", table.checked_text("form", *word), table, word->where);
-    stack.layers = read_form(table, index, form);
-    stack.substrate = index.read_or(table, "substrate", stack.incident);
+    stack.layers = read_form(table, index, form, free);
+    if (free == nullptr || !has_range(table, "substrate"))
+        stack.substrate = index.read_or(table, "substrate", stack.incident);
     stack.thickness_spread_nm = read_spread(table);
     const double layers = expanded_layers(stack.layers);
     const double most = stack.thickness_spread_nm > 0.0 ? most_irregular_layers : most_layers;
@@ -81,11 +88,16 @@ Stack stack_of(const Table& table, const IndexReader& index) {
 }
 
 ReadMechanism read_stack(const Table& table, const SceneContext& context) {
-    return {stack_of(table, context.index)};
+    return {stack_of(table, context.index, nullptr)};
 }
 
 Layer& lamella(Mechanism& mechanism, std::size_t which) {
     return std::get<Stack>(mechanism).layers.front().layers[which];
+}
+
+void read_free_substrate(FreeReader& reader) {
+    reader.index("substrate", usual_substrate,
+                 [](Mechanism& m, const Index& value) { std::get<Stack>(m).substrate = value; });
 }
 
 void read_free_lamellae(FreeReader& reader, bool is_irregular) {
@@ -99,15 +111,16 @@ void read_free_lamellae(FreeReader& reader, bool is_irregular) {
     const Allowed allowed = is_irregular ? Allowed{1, most_irregular_layers / 2} : allowed_films;
     reader.whole_number("films", allowed, usual_films,
                         [](Mechanism& m, int value) { std::get<Stack>(m).layers.front().repeat = value; });
-    reader.index("substrate", usual_substrate,
-                 [](Mechanism& m, const Index& value) { std::get<Stack>(m).substrate = value; });
+    read_free_substrate(reader);
 }
 
-// Lamellae: two materials, their thicknesses, how often they repeat. Layers that are given are all fixed.
+// Layers, of which any number may be free; or lamellae: two materials, their thicknesses, how often they repeat.
 MechanismSearch stack_search(const Table& table, const IndexReader& index) {
     MechanismSearch search;
     if (table.find("layers") != nullptr) {
-        search.start = stack_of(table, index);
+        FreeReader reader(table, index, search);
+        search.start = stack_of(table, index, &reader);
+        if (has_range(table, "substrate")) read_free_substrate(reader);
         return search;
     }
     if (table.text_or("form", "lamellae") != "lamellae") {

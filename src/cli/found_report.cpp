@@ -48,8 +48,8 @@ std::string answer_text(const MaterialSearch& search, std::size_t answer) {
     }
     if (found.tolerance) {
         const Tolerance& tolerance = *found.tolerance;
-        text += "; thicknesses off by " + number_text(tolerance.thickness_nm) + " nm move the colour by " +
-                significant_text(tolerance.shift.mean, 2) + " on average, by " +
+        text += "; thicknesses off by " + number_text(tolerance.thickness_nm) + " nm move the colour by dE00 " +
+                significant_text(tolerance.shift.mean, 2) + " on average, " +
                 significant_text(tolerance.shift.percentile_95, 2) + " at the 95th percentile";
     }
     return text + ")";

@@ -117,6 +117,8 @@ Command pick_command() {
         "1-4\n"
         "  grating  period_nm 400-5000, grooves 1-200, depth_nm 10-400, land 0.05-0.5; light along the normal\n"
         "  crystal  sphere 1-2.6, medium 1-2.6, diameter_nm 120-600, planes 1-100\n"
+        "A stack may have layers of its own instead, in which any number may be free, and --with 'tolerance = {\n"
+        "thickness_nm = 2 }' says how far the colour moves when free thicknesses are off by 2 nm (standard deviation).\n"
         "The scene holds the best answer; up to four others are listed in its comments. A palette shows every colour\n"
         "that a reflectance can have, and dims any other at its own hue; another mechanism comes as near as it can. A\n"
         "warning names each pick that is not shown as it was picked, with its distance in CIEDE2000.\n\n"
@@ -128,6 +130,8 @@ Command pick_command() {
         "Examples:\n"
         "  nacre pick \"#22cc66@0\" \"#1fb5c9@50\" > mine.toml && nacre bake mine.toml -o out\n"
         "  nacre pick \"#3a6fd0@0\" \"#7030b0@40\" --mechanism film --with 'substrate = \"si\"'\n"
+        "  nacre pick \"#dbfffd@0\" \"#fae7fd@60\" --mechanism stack --with 'substrate = \"ag\"' \\\n"
+        "      --with 'layers = [ { index = \"ag\" }, { index = \"sio2\" } ]'\n"
         "  nacre pick --measured configs/scenes/gold_beetle.csv --picks 3\n";
     command.run = [options](Console& console) { return run_pick(*options, console); };
     return command;

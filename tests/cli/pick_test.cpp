@@ -153,6 +153,26 @@ TEST(PickOptions, WithFixesAndBounds) {
     EXPECT_NE(result.out.find("\n# thickness_nm = "), std::string::npos) << result.out;
 }
 
+TEST(PickOptions, LayersMayBeFreeAndHaveATolerance) {
+    const Arguments cavity{"#dbfffd@0",   "#fae7fd@60",
+                           "--mechanism", "stack",
+                           "--with",      "layers = [ { index = \"ag\" }, { index = \"sio2\" } ]",
+                           "--with",      "substrate = \"ag\"",
+                           "--with",      "tolerance = { thickness_nm = 2 }"};
+    const ProgramResult result = pick(cavity);
+    ASSERT_EQ(result.exit_code, 0) << result.err;
+    EXPECT_NE(result.out.find("\n# layers[0].thickness_nm = 20.0"), std::string::npos) << result.out;
+    EXPECT_NE(result.out.find("; thicknesses off by 2 nm move the colour by dE00 0."), std::string::npos) << result.out;
+    EXPECT_NE(result.out.find("    { index = \"ag\", thickness_nm = 20.0"), std::string::npos) << result.out;
+    EXPECT_EQ(result.out.find("tolerance"), std::string::npos) << result.out;
+    const auto json = parsed(run_nacre(with({"--json", "pick"}, cavity)));
+    const auto& tolerance = json["found"][0]["tolerance"];
+    EXPECT_EQ(tolerance["thickness_nm"], 2.0);
+    EXPECT_GT(tolerance["mean_de00"], 0.1);
+    EXPECT_GT(tolerance["percentile_95_de00"], tolerance["mean_de00"]);
+    EXPECT_GT(json["picked"][1]["tolerance"]["percentile_95_de00"], 0.1);
+}
+
 TEST(PickOptions, JsonHasPicksAnswersAndTheScene) {
     ProgramResult result = run_nacre(with({"--json", "pick"}, blue_film));
     ASSERT_EQ(result.exit_code, 0) << result.err;

@@ -47,6 +47,26 @@ TEST(PickedColours, StandInThePlanTheHeaderAndTheManifest) {
     EXPECT_EQ(verified.exit_code, 0) << verified.err;
 }
 
+TEST(PickedColours, HaveATolerance) {
+    const TemporaryFolder folder;
+    folder.file("s.toml",
+                "[material.m]\nmechanism = \"film\"\nindex = \"tio2\"\nsubstrate = 1.5\n"
+                "picks = [ { angle_deg = 0, colour = \"#c8b090\" } ]\ntolerance = { thickness_nm = 3 }\n"
+                "[accuracy]\nmax_de00 = 1\n");
+    const ProgramOptions here{folder.path(), {}, {}, {}};
+    const std::string said = "; thicknesses off by 3 nm move the colour by dE00 ";
+    const ProgramResult plan = run_nacre({"plan", "s.toml"}, here);
+    EXPECT_EQ(plan.exit_code, 0) << plan.err;
+    EXPECT_NE(plan.out.find(said), std::string::npos) << plan.out;
+    const ProgramResult baked = run_nacre({"bake", "s.toml", "-o", "out", "--no-preview"}, here);
+    ASSERT_EQ(baked.exit_code, 0) << baked.err;
+    const auto manifest = nlohmann::json::parse(file_bytes(folder.path() / "out" / "m.json"));
+    const auto& tolerance = manifest["picked"].at(0)["tolerance"];
+    EXPECT_GT(tolerance["mean_de00"], 0.0);
+    EXPECT_GT(tolerance["percentile_95_de00"], tolerance["mean_de00"]);
+    EXPECT_EQ(run_nacre({"verify", "out/m.exr"}, here).exit_code, 0);
+}
+
 TEST(OnePick, BakesWithEverySwatchAndAxis) {
     const TemporaryFolder folder;
     std::string scene = picks + "peak_nm = 520, width_nm = 120, height = 0.6 } ]\n[accuracy]\nmax_de00 = 1\n[lut.a]\n";

@@ -18,6 +18,31 @@ ColourShift shift_of(std::vector<double> de00) {
     return {mean, *at};
 }
 
+namespace {
+
+// Gives every variable the mean 0 and the variance 1, and makes them uncorrelated, one after the other (Gram and
+// Schmidt): then the second moments of every direction are exact.
+void make_uncorrelated(std::vector<std::vector<double>>& points) {
+    const auto mean_product = [&](std::size_t i, std::size_t j) {
+        double sum = 0.0;
+        for (const std::vector<double>& point : points) sum += point[i] * point[j];
+        return sum / static_cast<double>(points.size());
+    };
+    for (std::size_t i = 0; i < points.front().size(); ++i) {
+        double mean = 0.0;
+        for (const std::vector<double>& point : points) mean += point[i] / static_cast<double>(points.size());
+        for (std::vector<double>& point : points) point[i] -= mean;
+        for (std::size_t j = 0; j < i; ++j) {
+            const double shared = mean_product(i, j);
+            for (std::vector<double>& point : points) point[i] -= shared * point[j];
+        }
+        const double deviation = std::sqrt(mean_product(i, i));
+        for (std::vector<double>& point : points) point[i] /= deviation;
+    }
+}
+
+}  // namespace
+
 std::vector<std::vector<double>> even_normal_points(int count, std::size_t dimensions) {
     constexpr double least_share = 1e-9;  // six standard deviations; no sequence of some thousand points gets as far
     const EvenPoints even(dimensions);
@@ -29,6 +54,7 @@ std::vector<std::vector<double>> even_normal_points(int count, std::size_t dimen
             at = std::copysign(normal_above(beyond), at - 0.5);
         }
     }
+    make_uncorrelated(points);
     return points;
 }
 

@@ -23,8 +23,11 @@ struct Tolerance {
     friend bool operator==(const Tolerance&, const Tolerance&) = default;
 };
 
-/// Normal variables of mean 0 and variance 1, always the same: EvenPoints through the inverse of their distribution.
-/// @param dimensions  >= 1
+/// Independent normal variables of mean 0 and variance 1, always the same: EvenPoints through the inverse of their
+/// distribution, made uncorrelated.
+/// Accuracy: of 2048 points in up to 6 dimensions, the mean size of any sum of them is within 2 %, and its 95th
+/// percentile within 4 %; in 2 dimensions, 0.2 % and 1 %.
+/// @param count  > dimensions @param dimensions  >= 1
 std::vector<std::vector<double>> even_normal_points(int count, std::size_t dimensions);
 
 }  // namespace nacre

@@ -409,11 +409,11 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"NeverFree", film + "incident = { from = 1, to = 1.5 }\n" + two_picks,
                 "s.toml:3:12 [material.m]: " + no_search("incident")},
         Mistake{"ToleranceOfNothingFree", film + "thickness_nm = 300\ntolerance = { thickness_nm = 2 }\n" + two_picks,
-                "s.toml:4:13 [material.m]: tolerance is of thicknesses that the search finds, and none of this film is "
-                "free; leave one out, or bound it with from and to"},
+                "s.toml:4:13 [material.m]: tolerance is of free thicknesses, of a film or of the layers of a stack, "
+                "and here is none; leave one out, or bound it with from and to"},
         Mistake{"ToleranceOfACrystal", "mechanism = \"crystal\"\ntolerance = { thickness_nm = 2 }\n" + two_picks,
-                "s.toml:3:13 [material.m]: tolerance is of thicknesses that the search finds, and none of this crystal "
-                "is free; leave one out, or bound it with from and to"},
+                "s.toml:3:13 [material.m]: tolerance is of free thicknesses, of a film or of the layers of a stack, "
+                "and here is none; leave one out, or bound it with from and to"},
         Mistake{"ToleranceWithoutPicks", film + "index = 1.5\nthickness_nm = 9\ntolerance = { thickness_nm = 2 }\n",
                 "s.toml:5:1 [material.m]: tolerance is of thicknesses that a search finds, and nothing is searched for "
                 "here; give picks and a mechanism other than palette, or remove tolerance"},

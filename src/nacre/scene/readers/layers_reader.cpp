@@ -161,9 +161,9 @@ private:
         if (!is_in_group(path)) return true;
         const Value* flag = range.find("free");
         if (flag == nullptr) return false;
-        const auto* is_free = std::get_if<bool>(&flag->data);
-        if (is_free == nullptr) range.fail(flag->where, "free = " + flag->text() + "; give true or false");
-        return *is_free;
+        const auto* given = std::get_if<bool>(&flag->data);
+        if (given == nullptr) range.fail(flag->where, "free = " + flag->text() + "; give true or false");
+        return *given;
     }
 
     template <typename Number, typename Member>

@@ -129,9 +129,9 @@ void read_tolerance(const Table& table, MechanismSearch& search) {
     tolerance->expect_all_read();
     if (std::any_of(search.free.begin(), search.free.end(), [](const auto& number) { return number.is_thickness; }))
         return;
-    table.note(tolerance->where(), "tolerance is of thicknesses that the search finds, and none of this " +
-                                       std::string(mechanism_name(search.start)) +
-                                       " is free; leave one out, or bound it with from and to");
+    table.note(tolerance->where(),
+               "tolerance is of free thicknesses, of a film or of the layers of a stack, and here is "
+               "none; leave one out, or bound it with from and to");
 }
 
 }  // namespace

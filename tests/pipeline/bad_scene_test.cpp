@@ -144,7 +144,7 @@ const std::vector<Mistake> mistakes{
      ":5:19 [lut.a]: mechanism palette has no parameter \"thickness_nm\"; known: shape, peak_nm, width_nm, height, "
      "floor, flatness, picks[0].angle_deg, picks[0].peak_nm, picks[0].width_nm, picks[0].height, picks[0].floor, "
      "picks[0].flatness, picks[1].angle_deg, picks[1].peak_nm, picks[1].width_nm, picks[1].height, picks[1].floor, "
-     "picks[1].flatness, tilt_deg"},
+     "picks[1].flatness, tilt_deg, roughness"},
     {"AxisOutOfTheParametersRange", scene("[lut.a]\ny = { parameter = \"height\", from = 0, to = 2 }\n"),
      ":5:44 [lut.a]: to = 2 is out of range; allowed [0, 1]"},
     {"AxisWithoutLength", scene("[lut.a]\ny = { parameter = \"height\", from = 1, to = 1 }\n"),
@@ -159,6 +159,14 @@ const std::vector<Mistake> mistakes{
      scene("[lut.a]\nx = { parameter = \"height\", from = 0, to = 1 }\ny = { parameter = \"picks[0].height\", from = "
            "0, to = 1 }\n"),
      ":6:5 [lut.a]: x and y both set picks[0].height; give two different parameters"},
+    {"RoughnessAsAxisOfATiltedMaterial",
+     scene("tilt_deg = 3\n[lut.a]\ny = { parameter = \"roughness\", from = 0, to = 1 }\n"),
+     ":5:1 [lut.a]: tilt_deg and roughness both say how the facets lean; remove one of them, or its axis"},
+    {"RoughnessAndTiltAsAxes",
+     scene(
+         "[lut.a]\nx = { parameter = \"tilt_deg\", from = 0, to = 9 }\ny = { parameter = \"roughness\", from = 0, to = "
+         "1 }\n"),
+     ":4:1 [lut.a]: tilt_deg and roughness both say how the facets lean; remove one of them, or its axis"},
     {"UnknownMaterial", scene("[lut.a]\nmaterial = \"n\"\n"), ":5:12 [lut.a]: unknown material \"n\"; known: m"},
     {"UnknownFormat", scene("[lut.a]\nformat = \"double\"\n"),
      ":5:10 [lut.a]: unknown format \"double\"; known: half, float"},

@@ -749,14 +749,6 @@ const std::vector<Mistake> effect_mistakes{
     {"RoughnessOfAGrating", good_grating + "roughness = 0.4\n",
      "s.toml:8:1 [material.m]: roughness has no meaning for mechanism grating, whose colour does not depend on the "
      "angle to the normal; allowed for palette, film, stack, crystal, measured"},
-    {"RoughnessAsAxisOfATiltedFilm",
-     good_film + "tilt_deg = 3\n[lut.a]\ny = { parameter = \"roughness\", from = 0, to = 1 }\n",
-     "s.toml:8:1 [lut.a]: tilt_deg and roughness both say how the facets lean; remove one of them, or its axis"},
-    {"RoughnessAndTiltAsAxes",
-     good_film +
-         "[lut.a]\nx = { parameter = \"tilt_deg\", from = 0, to = 9 }\ny = { parameter = \"roughness\", from = 0, "
-         "to = 1 }\n",
-     "s.toml:7:1 [lut.a]: tilt_deg and roughness both say how the facets lean; remove one of them, or its axis"},
     {"TiltInWords", good_film + "tilt_deg = \"some\"\n",
      "s.toml:7:12 [material.m]: tilt_deg = \"some\" is a string; give a number"},
     {"UnknownPolarisation", good_film + "polarisation = \"circular\"\n",

@@ -128,7 +128,7 @@ TEST(BadMetalScene, IsOneLineThatSaysWhereAndWhat) {
     EXPECT_EQ(message("substrate = { f0 = [0.5, 0.2, 0.1], specular_color = [1, 1, 1] }\n"),
               "s.toml:5:37 [material.m]: unknown key \"specular_color\"; did you mean edge_tint?");
     EXPECT_EQ(message("substrate = { f0 = [0.5, 0.2, 0.1], range_nm = [400, 700] }\n"),
-              "s.toml:5:37 [material.m]: unknown key \"range_nm\"; known: f0, edge_tint");
+              "s.toml:5:37 [material.m]: unknown key \"range_nm\"; known: from, to, f0, edge_tint");
     EXPECT_EQ(message("substrate = { f0 = [0.5, 0.2, 0.1], n = 1.5 }\n"),
               "s.toml:5:37 [material.m]: f0 and n are both given; n and k follow from f0, so remove one of them");
     EXPECT_EQ(message("f0 = [0.5, 0.2, 0.1]\n"),

@@ -21,6 +21,7 @@
 #include "nacre/base/gauss_points.h"
 #include "nacre/cost/baselines.h"
 #include "nacre/lut/planned_lut.h"
+#include "nacre/scene/readers/axis_reader.h"
 #include "nacre/shade/facets.h"
 #include "nacre/shade/layered_colour.h"
 #include "nacre/shade/prepared_colour.h"
@@ -55,17 +56,17 @@ void compare(benchmark::State& state, const Job& job, const Job& plain, const Wa
     if (truth) state.counters["baseline_dE00"] = largest_difference(baseline(), true_colours);
 }
 
-// ---- Tilt: facet after facet, each with its own integral over wavelength ----
+// ---- Tilt and roughness: facet after facet, each with its own integral over wavelength ----
 
-Colours facet_by_facet(const Job& job, TiltPoints points) {
+Colours facet_by_facet(const Job& job, FacetPoints points) {
     Mechanism flat = job.material.mechanism;
-    const double tilt_deg = std::exchange(flat.effects.relief.tilt_deg, 0.0);
+    const Relief relief = std::exchange(flat.effects.relief, {});
     PreparedColour prepared = prepare_colour(flat, job.sampling, *job.light);
     Work work;
     Colours colours;
     for (int i = 0; i < texels; ++i) {
         Xyz sum;
-        for (const Facet& facet : tilted_facets(tilt_deg, geometry_of_texel(job, i).incidence, points)) {
+        for (const Facet& facet : seen_facets(relief, geometry_of_texel(job, i).incidence, points)) {
             const Xyz seen = colour_at(prepared, Incidence::from_cos(facet.cos_theta), work);
             sum = {sum.x + facet.share * seen.x, sum.y + facet.share * seen.y, sum.z + facet.share * seen.z};
         }
@@ -73,24 +74,47 @@ Colours facet_by_facet(const Job& job, TiltPoints points) {
     }
     return colours;
 }
-void tilted(benchmark::State& state, Mechanism mechanism) {
+void with_facets(benchmark::State& state, Mechanism mechanism, const Relief& relief) {
     const Mechanism flat = mechanism;
-    mechanism.effects.relief.tilt_deg = 10.0;
+    mechanism.effects.relief = relief;
     const Job job = decided(mechanism);
     compare(
         state, job, decided(flat),
         [&] {
-            return facet_by_facet(job, {8, 16});
+            return facet_by_facet(job, {8, 16, 8});
         },
         [&] {
-            return facet_by_facet(job, {24, 48});
+            return facet_by_facet(job, {24, 48, 64});
         });
 }
 void tilted_film(benchmark::State& state) {
-    tilted(state, film());
+    with_facets(state, film(), {10.0, 0.0});
 }
 void tilted_palette(benchmark::State& state) {
-    tilted(state, palette());
+    with_facets(state, palette(), {10.0, 0.0});
+}
+void rough_film(benchmark::State& state) {
+    with_facets(state, film(), {0.0, 0.4});
+}
+void rough_palette(benchmark::State& state) {
+    with_facets(state, palette(), {0.0, 0.4});
+}
+
+// A LUT of angle and roughness, beside the same LUT over the tilt, whose means are series.
+void rough_plane(benchmark::State& state) {
+    Job job = decided(film());
+    job.width = 128;
+    job.height = 64;
+    job.y = parameter_axis(job.material.mechanism, "roughness", 0.0, 1.0);
+    Job over_tilt = job;
+    over_tilt.y = parameter_axis(job.material.mechanism, "tilt_deg", 0.0, 30.0);
+    double ours = 0.0, theirs = 0.0;
+    for (auto _ : state) {
+        ours += seconds_of([&] { benchmark::DoNotOptimize(bake(job)); });
+        theirs += seconds_of([&] { benchmark::DoNotOptimize(bake(over_tilt)); });
+    }
+    state.counters["ms"] = 1e3 * ours / static_cast<double>(state.iterations());
+    state.counters["ratio"] = theirs / ours;
 }
 
 // ---- The rest of a film's ----
@@ -224,6 +248,9 @@ void decide_and_bake(benchmark::State& state, double strength) {
 
 BENCHMARK(tilted_film)->Unit(benchmark::kMillisecond);
 BENCHMARK(tilted_palette)->Unit(benchmark::kMillisecond);
+BENCHMARK(rough_film)->Unit(benchmark::kMillisecond);
+BENCHMARK(rough_palette)->Unit(benchmark::kMillisecond);
+BENCHMARK(rough_plane)->Unit(benchmark::kMillisecond);
 BENCHMARK(film_on_a_base)->Unit(benchmark::kMillisecond);
 BENCHMARK(film_of_uneven_thickness)->Unit(benchmark::kMillisecond);
 BENCHMARK(stack_in_s_light)->Unit(benchmark::kMillisecond);

@@ -95,8 +95,9 @@ std::vector<std::string> plan_lines(const std::vector<PlanRow>& rows) {
     for (const PlanRow& row : rows) {
         const ChosenLut& chosen = row.lut->lut;
         const Job& job = chosen.lut.job;
-        cells.push_back({chosen.lut.name, axis_text(job.x) + (job.y ? ", " + axis_text(*job.y) : ""), size_text(job),
-                         std::string(name_of(format_words, chosen.lut.format)), integration_text(job),
+        const std::string quantity = is_transmittance(job.material.mechanism) ? "transmittance, " : "";
+        cells.push_back({chosen.lut.name, quantity + axis_text(job.x) + (job.y ? ", " + axis_text(*job.y) : ""),
+                         size_text(job), std::string(name_of(format_words, chosen.lut.format)), integration_text(job),
                          row.lut->space().has_inverse() ? bound_text(chosen) : "unknown", duration_text(row.seconds),
                          space_text(row.lut->space(), *row.lut->scene)});
     }
@@ -136,6 +137,7 @@ Json plan_json(const PlanRow& row) {
     const Job& job = lut.job;
     Json json{{"scene", task.scene->path}, {"lut", lut.name}, {"material", job.material.name}};
     json["mechanism"] = mechanism_name(job.material.mechanism);
+    if (is_transmittance(job.material.mechanism)) json["quantity"] = "transmittance";
     json["x"] = axis_json(job.x);
     if (job.y) json["y"] = axis_json(*job.y);
     json["width"] = job.width;

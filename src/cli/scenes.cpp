@@ -21,7 +21,8 @@ void check_names(const std::vector<std::string>& only, const std::vector<LoadedS
         const auto is_known = [&](const std::string& one) {
             return std::find(known.begin(), known.end(), one) != known.end();
         };
-        if (is_known(name) || is_known(name + "_s")) continue;  // a name may stand for both polarisations
+        // A name may stand for both polarisations, for reflectance and transmittance, or for all four.
+        if (is_known(name) || is_known(name + "_s") || is_known(name + "_r") || is_known(name + "_s_r")) continue;
         throw Error("--only " + in_quotes(name) +
                     ": the scenes have no LUT or swatch of that name; known: " + known_like(name, known));
     }

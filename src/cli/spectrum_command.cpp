@@ -90,13 +90,16 @@ std::vector<std::string> with_column(std::vector<std::string> columns, const cha
 }
 
 void print_spectra(const SpectrumTable& table, const std::vector<double>& wavelengths_nm, Console& console) {
-    Report report(console, with_column(table.columns, "wavelength_nm"), {"R_s", "R_p", "R"});
+    const bool is_through = !table.points.empty() && is_transmittance(table.points.front().material->mechanism);
+    const std::string letter = is_through ? "T" : "R";
+    Report report(console, with_column(table.columns, "wavelength_nm"), {letter + "_s", letter + "_p", letter});
     for (const SpectrumPoint& point : table.points) {
         const std::vector<Response> responses = responses_at(point.material->mechanism, point.geometry, wavelengths_nm);
         for (std::size_t i = 0; i < responses.size(); ++i) {
-            const Response& r = responses[i];
-            report.row({point.texts[0], point.texts[1], number_text(wavelengths_nm[i])},
-                       {r.reflectance_s, r.reflectance_p, r.reflectance()});
+            std::vector<double> numbers;
+            for (const Polarisation light : {Polarisation::s, Polarisation::p, Polarisation::mean})
+                numbers.push_back(observed_of(responses[i], point.material->mechanism.effects.observed, light));
+            report.row({point.texts[0], point.texts[1], number_text(wavelengths_nm[i])}, numbers);
         }
     }
     report.finish();
@@ -160,6 +163,10 @@ int run_spectrum(const SpectrumOptions& options, Console& console) {
     const Light& light = *scene.plan.light;
     SpectrumRequest rows = options.request;
     rows.wants_colour = options.xyz || options.rgb;
+    if (rows.wants_transmittance) {
+        for (SceneMaterial& material : scene.plan.materials)
+            material.mechanism.effects.observed = Observed::transmittance;
+    }
     const SpectrumTable table = spectrum_table(scene.plan, rows);
     if (options.rgb) {
         print_rgb(table, scene, console);
@@ -221,6 +228,11 @@ std::vector<Option> output_options(SpectrumOptions& options) {
              .help = "print R, G, B as a LUT would hold them before rounding: in [colour] space of the scene, with its "
                      "gamut",
              .excludes = {"--xyz", "--step"}},
+            {.names = "--transmittance",
+             .target = &options.request.wants_transmittance,
+             .help = "print the light that goes through: T_s, T_p and T, or its colour with --xyz or --rgb; without "
+                     "--material, all films, stacks and crystals of the scene that have no base",
+             .excludes = {"--grating-u"}},
             set_option(options.edits),
             ocio_option(options.ocio)};
 }
@@ -237,11 +249,11 @@ Command spectrum_command() {
         "light, and\n"
         "absorb what remains. Every other mechanism is opaque (T = 0), and of these only scattering distinguishes s "
         "from\n"
-        "p. R_s, R_p and R are the reflectances of the two polarisations and of unpolarised light. For a grating "
-        "R\n"
-        "is the power per unit of u; --angle means light along the normal. For scattering, R is 1 if a layer sends "
-        "all\n"
-        "light evenly in all directions.\n\nExamples:\n"
+        "p. R_s, R_p and R are the reflectances of the two polarisations and of unpolarised light; with "
+        "--transmittance,\n"
+        "T_s, T_p and T are the fractions that pass into the substrate. For a grating R is the power per unit of u;\n"
+        "--angle means light along the normal. For scattering, R is 1 if a layer sends all light evenly in all "
+        "directions.\n\nExamples:\n"
         "  nacre spectrum configs/scenes/morpho.toml --material morpho --angle 0 20 40\n"
         "  nacre spectrum configs/scenes/soap_film.toml --material soap_film --angle 0:90:5 --rgb\n"
         "  nacre spectrum configs/scenes/soap_film.toml --points points.csv\n";

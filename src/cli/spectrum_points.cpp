@@ -23,14 +23,32 @@ bool is_grating(const Material& material) {
     return quantity_of(material.mechanism) == Quantity::grating_u;
 }
 
+bool lets_through(const Material& material) {
+    return is_layered(material.mechanism) && !material.mechanism.effects.base;
+}
+
+// @param where  for the message
+const Material& asked_material(const Plan& plan, const SpectrumRequest& request, const std::string& name,
+                               const std::string& where) {
+    const Material& asked = material_named(plan, name, where);
+    if (request.wants_transmittance && !lets_through(asked)) {
+        throw Error(where + ": material " + in_quotes(name) +
+                    " lets no light through; --transmittance takes films, stacks and crystals without a base");
+    }
+    return asked;
+}
+
 // ---- of options
 
 std::vector<std::string> asked_materials(const Plan& plan, const SpectrumRequest& request) {
     if (!request.materials.empty()) return request.materials;
     std::vector<std::string> names;
     for (const Material& candidate : plan.materials) {
+        if (request.wants_transmittance && !lets_through(candidate)) continue;
         if (request.grating_us.empty() || is_grating(candidate)) names.push_back(candidate.name);
     }
+    if (names.empty() && request.wants_transmittance)
+        throw Error("--transmittance: the scene has no film, stack or crystal without a base");
     if (names.empty()) throw Error("--grating-u: the scene has no grating; give --angle");
     return names;
 }
@@ -42,7 +60,7 @@ SpectrumTable table_of_options(const Plan& plan, const SpectrumRequest& request)
     if (numbers.empty()) numbers = {0.0};
     SpectrumTable table{{"material", has_u ? "grating_u" : "angle_deg"}, {}, {}};
     for (const std::string& name : asked_materials(plan, request)) {
-        const Material& asked = material_named(plan, name, "--material");
+        const Material& asked = asked_material(plan, request, name, "--material");
         if (request.wants_colour) check_colour(name, asked.mechanism, *plan.light, asked.where.text());
         for (const double number : numbers) {
             if (!has_u) check_angle(number, asked.mechanism, "--angle");
@@ -131,7 +149,7 @@ private:
         const auto column = std::find(table_.columns.begin(), table_.columns.end(), "material");
         const auto place = static_cast<std::size_t>(column - table_.columns.begin());
         SpectrumPoint point;
-        point.material = &material_named(plan_, row.fields[place], where(row, place).text());
+        point.material = &asked_material(plan_, request_, row.fields[place], where(row, place).text());
         point.texts = row.fields;
         Mechanism mechanism;
         if (!table_.parameters.empty() || request_.wants_colour) mechanism = point.material->mechanism;

@@ -15,8 +15,9 @@ struct SpectrumRequest {
     std::vector<std::string> materials;  ///< empty: all of the scene
     std::vector<std::string> angles;     ///< numbers and ranges, in degrees
     std::vector<std::string> grating_us;
-    std::string points;         ///< a CSV file instead; empty: none
-    bool wants_colour = false;  ///< rows have no wavelength
+    std::string points;                ///< a CSV file instead; empty: none
+    bool wants_colour = false;         ///< rows have no wavelength
+    bool wants_transmittance = false;  ///< of layers without a base, the only ones that let light through
 };
 
 /// A material at a geometry, and at a wavelength if a file of points asks for one.

@@ -57,9 +57,9 @@ bool misses_its_bound(const ChosenLut& chosen, const BakedLut& baked) {
 }
 
 // Bakes the LUT that was decided. If it errs by more than was predicted it is decided again with more care, and the
-// best is kept.
+// best is kept. Not so of a pair, which must stay one: that was measured when it was decided.
 BakedLut bake_within_bound(const BakeTask& task, const Execution& execution) {
-    constexpr int most_times = 3;
+    const int most_times = task.lut->is_of_pair ? 0 : 3;
     const LoadedScene& scene = *task.scene;
     const ColourSpace& space = task.decided->space();
     const Encoding encoding = lut_encoding(space, task.lut->colour.gamut);

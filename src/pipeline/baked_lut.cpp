@@ -69,7 +69,8 @@ BakedLut bake_lut(const ChosenLut& chosen, const Plan& plan, const ColourSource&
         if (encoding.keeps_colours)
             baked.clipping = clipping_loss(baked.image, encoding, measured.scale, lut.request.max_de00);
     }
-    if (const SceneMaterial* material = find_material(plan, lut.job.material.name)) baked.picked = material->picked;
+    const SceneMaterial* material = find_material(plan, lut.job.material.name);
+    if (material != nullptr && !is_transmittance(lut.job.material.mechanism)) baked.picked = material->picked;
     if (const auto* palette = std::get_if<Palette>(&lut.job.material.mechanism))
         baked.clamped = palette_clamp_bounds(*palette);
     baked.header = lut_header(chosen, source, space, baked);

@@ -1,8 +1,12 @@
 #include "pipeline/decide.h"
 
+#include <array>
 #include <atomic>
 #include <cstddef>
+#include <span>
+#include <utility>
 
+#include "nacre/accuracy/choose_pair.h"
 #include "nacre/base/error.h"
 #include "pipeline/baked_lut.h"
 #include "pipeline/thread_clock.h"
@@ -10,16 +14,46 @@
 namespace nacre {
 namespace {
 
-void decide(DecidedLut& task, const Execution& execution) {
+// A LUT of a pair and the other one, that of the reflectance first.
+std::array<PlannedLut, 2> pair_of(const PlannedLut& lut) {
+    std::array<PlannedLut, 2> pair{lut, lut};
+    pair[0].job.material.mechanism.effects.observed = Observed::reflectance;
+    pair[1].job.material.mechanism.effects.observed = Observed::transmittance;
+    return pair;
+}
+
+std::size_t place_in_pair(const PlannedLut& lut) {
+    return lut.job.material.mechanism.effects.observed == Observed::reflectance ? 0 : 1;
+}
+
+// Whether two LUTs are one pair: plans have them side by side.
+bool are_a_pair(const DecidedLut& one, const DecidedLut& next) {
+    return one.asked->is_of_pair && next.asked->is_of_pair && one.scene == next.scene &&
+           place_in_pair(*one.asked) == 0 && place_in_pair(*next.asked) == 1 && one.asked->entry == next.asked->entry;
+}
+
+// Decides a LUT, or both of a pair. @param tasks  one LUT or the two of a pair
+void decide(std::span<DecidedLut> tasks, const Execution& execution) {
     const double begin = thread_seconds();
+    const DecidedLut& task = tasks.front();
     try {
-        task.lut = choose_lut(*task.asked, lut_encoding(task.space(), task.asked->colour.gamut), execution.step);
+        const Encoding encoding = lut_encoding(task.space(), task.asked->colour.gamut);
+        if (!task.asked->is_of_pair) {
+            tasks.front().lut = choose_lut(*task.asked, encoding, execution.step);
+        } else {
+            ChosenPair pair = choose_pair(pair_of(*task.asked), encoding, execution.step);
+            for (DecidedLut& one : tasks) {
+                one.lut = std::move(pair[place_in_pair(*one.asked)]);
+                one.lut.lut.name = one.asked->name;
+            }
+        }
     } catch (const IoError&) {
         throw;
     } catch (const Error& error) {
-        task.failure = task.asked->where.text() + " " + task.asked->name + ": " + error.what();
+        for (DecidedLut& one : tasks)
+            one.failure = one.asked->where.text() + " " + one.asked->name + ": " + error.what();
     }
-    task.seconds = thread_seconds() - begin;
+    for (DecidedLut& one : tasks) one.seconds = (thread_seconds() - begin) / static_cast<double>(tasks.size());
 }
 
 }  // namespace
@@ -58,11 +92,14 @@ std::vector<DecidedLut> undecided_luts(const std::vector<LoadedScene>& scenes) {
 }
 
 void decide_all(std::vector<DecidedLut>& luts, const Execution& execution) {
+    std::vector<std::span<DecidedLut>> together;
+    for (std::size_t i = 0; i < luts.size(); i += together.back().size())
+        together.push_back(std::span(luts).subspan(i, i + 1 < luts.size() && are_a_pair(luts[i], luts[i + 1]) ? 2 : 1));
     std::atomic<std::size_t> done = 0;
-    execution.for_each(luts.size(), [&](std::size_t i) {
+    execution.for_each(together.size(), [&](std::size_t i) {
         execution.may_stop();
-        decide(luts[i], execution);
-        execution.tell(++done, luts.size());
+        decide(together[i], execution);
+        execution.tell(done += together[i].size(), luts.size());
     });
     execution.may_stop();
 }

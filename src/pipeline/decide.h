@@ -38,7 +38,7 @@ void override_accuracy(std::vector<LoadedScene>& scenes, const AccuracyOverride&
 /// The LUTs of the scenes, nothing decided yet. Refers to the scenes.
 std::vector<DecidedLut> undecided_luts(const std::vector<LoadedScene>& scenes);
 
-/// Decides size, format and sampling of the LUTs.
+/// Decides size, format and sampling of the LUTs; those of a pair together, even if only one of them is wanted.
 void decide_all(std::vector<DecidedLut>& luts, const Execution& execution);
 
 }  // namespace nacre

@@ -68,6 +68,8 @@ void add_job(Attributes& header, const PlannedLut& lut) {
     header.emplace_back("lut", lut.name);
     header.emplace_back("material", job.material.name);
     header.emplace_back("mechanism", std::string(mechanism_name(job.material.mechanism)));
+    // A LUT that says nothing is of reflectance.
+    if (is_transmittance(job.material.mechanism)) header.emplace_back("quantity", "transmittance");
     header.emplace_back("axisX", axis_text(job.x));
     if (job.y) header.emplace_back("axisY", axis_text(*job.y));
     header.emplace_back("size", std::to_string(job.width) + " x " + std::to_string(job.height));

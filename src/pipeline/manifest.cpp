@@ -26,6 +26,7 @@ void add_texture(Json& json, const PlannedLut& lut) {
         json["file"] = lut.name + ".exr";
     json["material"] = job.material.name;
     json["mechanism"] = mechanism_name(job.material.mechanism);
+    if (is_transmittance(job.material.mechanism)) json["quantity"] = "transmittance";
     json["width"] = job.width;
     json["height"] = job.height;
     json["format"] = name_of(format_words, lut.format);

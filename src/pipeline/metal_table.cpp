@@ -38,7 +38,7 @@ MetalColours colours_of(const Index& metal) {
     const glm::dmat3 to_d65 = adaptation_matrix(Adaptation::bradford, weights.white, d65_white);
     const Mechanism bare = Stack{1.0, {}, metal, 0.0};
     const auto colour = [&](const Incidence& incidence) {
-        return adapt(to_d65, to_xyz(weights, reflectance(bare, incidence, WavelengthGrid{})));
+        return adapt(to_d65, to_xyz(weights, observed_spectrum(bare, incidence, WavelengthGrid{})));
     };
     MetalColours colours;
     for (int degree = 0; degree <= degrees; ++degree)

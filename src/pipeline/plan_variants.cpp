@@ -35,13 +35,10 @@ bool is_sheet(const PlannedSwatch& swatch) {
     return swatch.kind == SwatchKind::contact_sheet;
 }
 
-// What the name of the variant replaces: the name of the only LUT, or "hero" of the two polarisations hero_s and
-// hero_p. Empty if there are several.
+// What the name of the variant replaces: what the scene calls its only LUT. Empty if there are several.
 std::string only_name(const std::vector<PlannedLut>& luts) {
-    if (luts.size() == 1) return luts.front().name;
-    if (luts.size() != 2 || !luts.front().name.ends_with("_s") || !luts.back().name.ends_with("_p")) return {};
-    const auto name_of = [](const PlannedLut& lut) { return lut.name.substr(0, lut.name.size() - 2); };
-    return name_of(luts.front()) == name_of(luts.back()) ? name_of(luts.front()) : std::string();
+    const auto is_of_first = [&](const PlannedLut& lut) { return lut.entry == luts.front().entry; };
+    return !luts.empty() && std::all_of(luts.begin(), luts.end(), is_of_first) ? luts.front().entry : std::string();
 }
 
 // Gives everything in the plan its name in the variant.

@@ -18,6 +18,7 @@ public:
         : light_(light),
           y_(scene.y),
           polarisation_(scene.mechanism.effects.polarisation),
+          observed_(scene.mechanism.effects.observed),
           samples_(thickness_samples_of(scene.mechanism)) {
         const std::optional<Base>& base = scene.mechanism.effects.base;
         if (!base || std::holds_alternative<MetalBase>(*base)) return;
@@ -55,7 +56,8 @@ public:
     }
 
     Triple at(double x, double y, double step_nm) const override {
-        const double cos_theta = std::max(x * x, 1e-9);  // 90 degrees is the limit from below
+        if (x == 0.0 && observed_ == Observed::transmittance) return {};  // nothing of what runs along a surface enters
+        const double cos_theta = std::max(x * x, 1e-9);                   // 90 degrees is the limit from below
         const WavelengthGrid& grid = light_.grid(step_nm);
         const std::vector<MediaAt>& media = media_of(step_nm, grid);
         std::vector<double> spectrum(grid.nm.size(), 0.0);
@@ -129,6 +131,7 @@ private:
         return media;
     }
     double seen(const PlainLayers& layers, const MediaAt& media, const Wave& wave) const {
+        if (observed_ == Observed::transmittance) return powers_at(layers, media, wave).transmittance;
         if (base_factor_.empty() && layers.is_coherent()) return coherent_reflectance(layers, media, wave);
         const ModelPowers powers = powers_at(layers, media, wave);
         if (base_factor_.empty()) return powers.reflectance;
@@ -151,6 +154,7 @@ private:
     const ModelLight& light_;
     std::optional<ModelParameter> y_;
     Polarisation polarisation_;
+    Observed observed_;
     std::vector<PlainLayers> samples_;
     std::vector<double> base_factor_;
     mutable std::map<double, std::vector<MediaAt>> media_;

@@ -40,6 +40,9 @@ std::vector<ModelScene> random_effects();
 inline constexpr int random_resonators_count = 400;
 std::vector<ModelScene> random_resonators();
 
+/// The same material's transmittance, named after it: NAME_t. Nothing of what is not made of layers; a base is gone.
+std::optional<ModelScene> seen_through(ModelScene scene);
+
 /// "s007"
 std::string numbered(char kind, int index);
 

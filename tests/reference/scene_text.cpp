@@ -84,6 +84,17 @@ const char* axis_name(ModelAxis axis) {
 
 }  // namespace
 
+std::optional<ModelScene> seen_through(ModelScene scene) {
+    const Mechanism& mechanism = scene.mechanism;
+    if (!std::holds_alternative<Film>(mechanism) && !std::holds_alternative<Stack>(mechanism) &&
+        !std::holds_alternative<Crystal>(mechanism))
+        return std::nullopt;
+    scene.name += "_t";
+    scene.mechanism.effects.base.reset();
+    scene.mechanism.effects.observed = Observed::transmittance;
+    return scene;
+}
+
 std::string numbered(char kind, int index) {
     std::array<char, 16> name{};
     std::snprintf(name.data(), name.size(), "%c%03d", kind, index);
@@ -99,6 +110,7 @@ std::string scene_text(const ModelScene& scene, const std::optional<FixedLut>& f
         text += "y = { parameter = \"" + scene.y->name + "\", from = " + digits(scene.y->from) +
                 ", to = " + digits(scene.y->to) + " }\n";
     }
+    if (scene.mechanism.effects.observed == Observed::transmittance) text += "quantity = \"transmittance\"\n";
     if (fixed) {
         const std::string width = std::to_string(fixed->width);
         text += "size = " + (scene.y ? "[" + width + ", " + std::to_string(fixed->height) + "]" : width) + "\n";

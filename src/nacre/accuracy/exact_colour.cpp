@@ -121,7 +121,8 @@ Xyz ExactColours::converged(const Mechanism& mechanism, const Geometry& geometry
 }
 
 Xyz ExactColours::at(const Mechanism& mechanism, const Geometry& geometry) {
-    if (light_.settings.wavelengths) return to_xyz(light_.grid_weights, reflectance(mechanism, geometry, light_.grid));
+    if (light_.settings.wavelengths)
+        return to_xyz(light_.grid_weights, observed_spectrum(mechanism, geometry, light_.grid));
     if (samples_spectra(mechanism)) return converged(mechanism, geometry);
     Work ignored;
     return mean_of_facets(mechanism, geometry, {}, light_, ignored);

@@ -121,12 +121,13 @@ Xyz Reference::layered(const Mechanism& mechanism, const Incidence& incidence) c
         const double least_steps = 2.0 * pi * layers_->fringes / std::clamp(4.0 * incidence.cos_theta, 0.02, 1.0);
         layers_->cells = std::max(layers_->cells, static_cast<int>(least_steps));
     }
+    const Observed observed = mechanism.effects.observed;
     const Polarisation polarisation = mechanism.effects.polarisation;
     const std::vector<double>& factors = layers_->base_factors;
     return integral(layers_->is_smooth ? 2.0 : 1.0, layers_->cells, [&](const std::vector<double>& nm) {
         const std::vector<Response> responses = layers_->layers.at(incidence, nm);
         std::vector<double> seen(nm.size());
-        for (std::size_t i = 0; i < seen.size(); ++i) seen[i] = reflectance_of(responses[i], polarisation);
+        for (std::size_t i = 0; i < seen.size(); ++i) seen[i] = observed_of(responses[i], observed, polarisation);
         for (std::size_t i = 0; i < seen.size() && !factors.empty(); ++i)
             seen[i] += value_at(factors, static_cast<double>(i) / static_cast<double>(seen.size() - 1)) *
                        transmittance_of(responses[i], polarisation);

@@ -2,7 +2,8 @@
 //
 // In: a job whose axes leave its material as it is. Candidates are the layers with the finest fringes, one after the
 // other, as long as each is fine beside all that is left. They are taken all together, if colours at four angles do not
-// change by more than the tolerance when these layers become incoherent; else none is.
+// change by more than the tolerance when these layers become incoherent; else none is. That holds for the light that is
+// reflected and for that which is transmitted, whichever is asked for, so that both go together.
 #include "nacre/accuracy/thick_layers.h"
 
 #include <algorithm>
@@ -55,6 +56,28 @@ std::vector<std::size_t> candidates(LayerSystem system, const LightSettings& lig
     }
 }
 
+// Up to the tolerance, at four angles. What is black shows nothing.
+bool show_the_same(const Mechanism& mechanism, const SpectralSampling& one, const SpectralSampling& other,
+                   const Light& light, double tolerance) {
+    LayeredColour sharp(mechanism, one);
+    LayeredColour incoherent(mechanism, other);
+    std::vector<Xyz> seen;
+    std::vector<Xyz> meant;
+    double brightest = 0.0;
+    for (const double angle_deg : {0.0, 25.0, 45.0, 60.0}) {
+        const Incidence incidence = Incidence::from_degrees(angle_deg);
+        seen.push_back(adapt(light.adaptation, incoherent.at(incidence)));
+        meant.push_back(adapt(light.adaptation, sharp.at(incidence)));
+        brightest = std::max(brightest, meant.back().y);
+    }
+    if (!(brightest > black_luminance)) return true;
+    const double scale = display_scale(brightest);
+    for (std::size_t i = 0; i < seen.size(); ++i) {
+        if (difference_at(seen[i], meant[i], scale) > tolerance) return false;
+    }
+    return true;
+}
+
 }  // namespace
 
 std::vector<std::size_t> thick_layers(const Job& job, double tolerance) {
@@ -76,21 +99,12 @@ std::vector<std::size_t> thick_layers(const Job& job, double tolerance) {
         result.incoherent_layers = incoherent;
         return result;
     };
-    LayeredColour sharp(mechanism, sampling(system, {}));
-    LayeredColour incoherent(mechanism, sampling(without, thick));
-    std::vector<Xyz> seen;
-    std::vector<Xyz> meant;
-    double brightest = 0.0;
-    for (const double angle_deg : {0.0, 25.0, 45.0, 60.0}) {
-        const Incidence incidence = Incidence::from_degrees(angle_deg);
-        seen.push_back(adapt(light.adaptation, incoherent.at(incidence)));
-        meant.push_back(adapt(light.adaptation, sharp.at(incidence)));
-        brightest = std::max(brightest, meant.back().y);
-    }
-    if (!(brightest > black_luminance)) return thick;
-    const double scale = display_scale(brightest);
-    for (std::size_t i = 0; i < seen.size(); ++i) {
-        if (difference_at(seen[i], meant[i], scale) > tolerance) return {};
+    const SpectralSampling sharp = sampling(system, {}), incoherent = sampling(without, thick);
+    for (const Observed observed : {Observed::reflectance, Observed::transmittance}) {
+        Mechanism seen = mechanism;
+        seen.effects.observed = observed;
+        if (observed == Observed::transmittance && seen.effects.base) break;
+        if (!show_the_same(seen, sharp, incoherent, light, tolerance)) return {};
     }
     return thick;
 }

@@ -40,7 +40,9 @@ enum class Preview { none, automatic, asked };
 /// One LUT: <name>.exr and what goes with it.
 struct PlannedLut {
     std::string name;
-    Job job;  ///< its size is a placeholder until choose_lut() has decided it; so is the format
+    std::string entry;        ///< what the scene calls it: "hero" of hero_s, hero_p, hero_r and hero_t
+    bool is_of_pair = false;  ///< whether it is one of the two that quantity = "both" makes
+    Job job;                  ///< its size is a placeholder until choose_lut() has decided it; so is the format
     AccuracyRequest request;
     LutColour colour;
     PixelFormat format = PixelFormat::half_float;

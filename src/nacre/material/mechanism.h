@@ -19,6 +19,7 @@
 #include "nacre/optics/measured_spectra.h"
 #include "nacre/optics/palette.h"
 #include "nacre/optics/polarisation.h"
+#include "nacre/optics/response.h"
 #include "nacre/optics/scatter.h"
 
 namespace nacre {
@@ -29,7 +30,8 @@ struct Effects {
     std::optional<Base> base;  ///< below the layers; none: black
     Relief relief;
     Polarisation polarisation = Polarisation::mean;
-    bool both_polarisations = false;  ///< whether a LUT becomes two, of s and of p
+    bool both_polarisations = false;            ///< whether a LUT becomes two, of s and of p
+    Observed observed = Observed::reflectance;  ///< a LUT's, not a material's; transmittance: of layers without a base
     friend bool operator==(const Effects&, const Effects&) = default;
 };
 
@@ -97,6 +99,9 @@ inline std::string_view mechanism_name(const Mechanism& mechanism) {
 }
 inline Quantity quantity_of(const Mechanism& mechanism) {
     return row_of(mechanism).quantity;
+}
+inline bool is_transmittance(const Mechanism& mechanism) {
+    return mechanism.effects.observed == Observed::transmittance;
 }
 inline bool is_layered(const Mechanism& mechanism) {
     return row_of(mechanism).is_layered;

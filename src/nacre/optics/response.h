@@ -9,7 +9,7 @@ namespace nacre {
 struct Response {
     double reflectance_s = 0.0;
     double reflectance_p = 0.0;
-    double transmittance_s = 0.0;  ///< into the substrate
+    double transmittance_s = 0.0;  ///< into the substrate: the power that enters it just below the layers
     double transmittance_p = 0.0;
 
     /// Of unpolarised light.
@@ -24,6 +24,9 @@ inline void add(Response& sum, double share, const Response& one) {
     sum.transmittance_p += share * one.transmittance_p;
 }
 
+/// What of the light is looked at.
+enum class Observed { reflectance, transmittance };
+
 inline double reflectance_of(const Response& response, Polarisation polarisation) {
     return polarisation == Polarisation::mean ? response.reflectance()
            : polarisation == Polarisation::s  ? response.reflectance_s
@@ -34,6 +37,11 @@ inline double transmittance_of(const Response& response, Polarisation polarisati
     return polarisation == Polarisation::mean ? response.transmittance()
            : polarisation == Polarisation::s  ? response.transmittance_s
                                               : response.transmittance_p;
+}
+
+inline double observed_of(const Response& response, Observed observed, Polarisation polarisation) {
+    return observed == Observed::reflectance ? reflectance_of(response, polarisation)
+                                             : transmittance_of(response, polarisation);
 }
 
 }  // namespace nacre

@@ -1,5 +1,6 @@
 // [lut.NAME]: one LUT. Its material comes first, because the axes are the material's; then the size and the outputs.
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -97,6 +98,32 @@ void read_axes(const Table& table, Job& job) {
     if (table.is_good()) attempt(table, table.where(), [&] { check_relief(job, table); });
 }
 
+// What is seen through layers ends at a base.
+void read_quantity(const Table& table, PlannedLut& lut) {
+    struct Choice {
+        Observed observed;
+        bool both;
+    };
+    constexpr std::array quantity_words{
+        Word<Choice>{"reflectance", {Observed::reflectance, false}, "light that is reflected"},
+        Word<Choice>{"transmittance", {Observed::transmittance, false}, "light that passes into the substrate"},
+        Word<Choice>{"both", {Observed::reflectance, true}, "a LUT of each"},
+    };
+    const auto [observed, both] = read_word(table, "quantity", "quantity", quantity_words);
+    lut.is_of_pair = both;
+    Mechanism& mechanism = lut.job.material.mechanism;
+    mechanism.effects.observed = observed;
+    if (observed == Observed::reflectance && !both) return;
+    const std::string allowed = "; allowed for a LUT of material " + in_quotes(lut.job.material.name) + ": reflectance";
+    const std::string opaque = "quantity = " + in_quotes(table.text("quantity")) + " has no meaning for ";
+    if (!is_layered(mechanism)) {
+        table.note_at("quantity", opaque + "mechanism " + std::string(mechanism_name(mechanism)) +
+                                      ", which lets no light through" + allowed);
+    } else if (mechanism.effects.base) {
+        table.note_at("quantity", opaque + "layers with a base, through which nothing is seen" + allowed);
+    }
+}
+
 // What the LUT says itself counts instead of what [accuracy] says.
 void read_request(const Table& table, const AccuracySettings& accuracy, PlannedLut& lut) {
     const bool has_y = table.find("y") != nullptr;
@@ -186,15 +213,17 @@ AccuracyRequest default_request(const AccuracySettings& accuracy, bool has_y) {
 
 std::optional<PlannedLut> read_lut(const Table& table, const Table::Entry& entry, const SceneParts& parts) {
     PlannedLut lut;
-    lut.name = entry.key;
+    lut.name = lut.entry = entry.key;
     lut.where = entry.key_where;
     lut.job.light = parts.light;
     const SceneMaterial* material = material_of(table, parts.materials);
     if (material != nullptr) {
         lut.job.material = *material;
+        read_quantity(table, lut);
         read_axes(table, lut.job);
     } else {
-        for (const std::string_view key : {"x", "y", "angle_deg", "grating_u", "cos_scatter"}) table.skip(key);
+        for (const std::string_view key : {"quantity", "x", "y", "angle_deg", "grating_u", "cos_scatter"})
+            table.skip(key);
     }
     read_request(table, parts.accuracy, lut);
     lut.colour = parts.colour;

@@ -114,6 +114,11 @@ void check_suits(const Table& table, const PlannedSwatch& swatch) {
                                   std::string(mechanism_name(material.mechanism)) + "; draw " + std::string(instead));
     };
     if (swatch.kind == SwatchKind::disc && quantity != Quantity::grating_u) refuse_material("a grating", "a sphere");
+    if (is_transmittance(material.mechanism) && is_lit(swatch.kind) && swatch.kind != SwatchKind::sphere &&
+        swatch.kind != SwatchKind::bubble)
+        table.note_at("draw",
+                      "draw = " + in_quotes(name_of(swatch_words, swatch.kind)) +
+                          " shows reflected light, and this lut is of transmittance; draw a sphere or a bubble");
     const bool needs_angle = swatch.kind == SwatchKind::bubble || swatch.kind == SwatchKind::puddle;
     if (needs_angle && quantity != Quantity::incidence)
         refuse_material("colours that depend on the angle to the normal", "a sphere");

@@ -104,7 +104,8 @@ struct SceneParts {
     bool any_thickness = false;  ///< see PlanRequest
 };
 
-/// One [lut.NAME]; nothing if it or its material has mistakes.
+/// One [lut.NAME]; nothing if it or its material has mistakes. With `quantity` = "both" it is that of the reflectance,
+/// and is_of_pair.
 std::optional<PlannedLut> read_lut(const Table& table, const Table::Entry& entry, const SceneParts& parts);
 
 /// [lut], or one LUT per material in a scene without that table.

@@ -74,6 +74,7 @@ std::string scene_toml(const PlannedLut& lut) {
     text += "\n[material." + toml_string(job.material.name) + "]\n" + mechanism_toml(job.material.mechanism);
     text += "\n[lut." + toml_string(lut.name) + "]\nmaterial = " + toml_string(job.material.name) +
             "\nx = " + axis_toml(job.x) + "\n";
+    if (is_transmittance(job.material.mechanism)) text += "quantity = \"transmittance\"\n";
     if (job.y) text += "y = " + axis_toml(*job.y) + "\n";
     if (!job.has_angle()) text += fixed_toml(job);
     text += job.y ? "size = [" + std::to_string(job.width) + ", " + std::to_string(job.height) + "]\n"

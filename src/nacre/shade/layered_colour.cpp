@@ -192,8 +192,8 @@ Xyz LayeredColour::at(const Incidence& incidence, Work* work) {
         sum = with_base(band, nodes, incidence);
     } else {
         for (std::size_t member = 0; member < band.solvers.size(); ++member) {
-            const auto [x, y, z] = band.solvers[member].weighted_reflectances(
-                incidence, {nodes.x.data(), nodes.y.data(), nodes.z.data()}, effects_.polarisation);
+            const auto [x, y, z] = band.solvers[member].weighted(
+                incidence, {nodes.x.data(), nodes.y.data(), nodes.z.data()}, effects_.observed, effects_.polarisation);
             const double share = ensemble_.shares[member];
             sum = {sum.x + share * x, sum.y + share * y, sum.z + share * z};
         }

@@ -41,12 +41,12 @@ Response response_at(const Mechanism& mechanism, const Geometry& geometry, doubl
     return responses_at(mechanism, geometry, {&wavelength_nm, 1}).front();
 }
 
-Spectrum reflectance(const Mechanism& mechanism, const Geometry& geometry, const WavelengthGrid& grid) {
+Spectrum observed_spectrum(const Mechanism& mechanism, const Geometry& geometry, const WavelengthGrid& grid) {
     std::vector<double> wavelengths_nm;
     for (int node = 0; node < grid.count; ++node) wavelengths_nm.push_back(grid.wavelength_nm(node));
     Spectrum spectrum{grid, {}};
     for (const Response& response : responses_at(mechanism, geometry, wavelengths_nm))
-        spectrum.value.push_back(reflectance_of(response, mechanism.effects.polarisation));
+        spectrum.value.push_back(observed_of(response, mechanism.effects.observed, mechanism.effects.polarisation));
     return spectrum;
 }
 

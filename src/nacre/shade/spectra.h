@@ -12,8 +12,8 @@
 
 namespace nacre {
 
-/// Reflectance spectrum of a mechanism at one angle, of the polarisation that it asks for, at the grid's nodes.
-Spectrum reflectance(const Mechanism& mechanism, const Geometry& geometry, const WavelengthGrid& grid);
+/// Spectrum of a mechanism at one angle, of the polarisation and of what is observed of it, at the grid's nodes.
+Spectrum observed_spectrum(const Mechanism& mechanism, const Geometry& geometry, const WavelengthGrid& grid);
 
 /// What becomes of light at some wavelengths. Palettes, gratings and measurements have no polarisation (s and p are
 /// equal), and only layers without a base transmit light (else T = 0). Of uneven layers the mean of

@@ -314,7 +314,12 @@ std::vector<std::pair<std::string, Mechanism>> crystals() {
     inverse.sphere = 1.0;
     inverse.medium = RefractiveIndex(1.8, 0.002);
     inverse.planes = 6;
-    return {{"opal", opal}, {"inverse opal", inverse}, {"tilted opal", refined(opal, GreyBase{0.2}, 6.0)}};
+    Mechanism through = inverse;
+    through.effects.observed = Observed::transmittance;
+    return {{"opal", opal},
+            {"inverse opal", inverse},
+            {"tilted opal", refined(opal, GreyBase{0.2}, 6.0)},
+            {"seen through an inverse opal", through}};
 }
 
 std::vector<std::pair<std::string, Mechanism>> scatterers() {
@@ -439,6 +444,25 @@ TEST(EffectsAccuracyContract, NoFetchIsFartherFromTheModelThanWasAsked) {
     for (std::size_t i = 1; i < scenes().size(); i += stride_of_this_run())
         expect_bound_kept(scenes()[i], chosen_scene(i), is_sweep("1") ? 64 : 24, tally);
     print("random scenes", tally);
+}
+
+// A crystal takes the model long, and is one of the groups above.
+TEST(EffectsAccuracyContract, HoldsForWhatIsSeenThroughLayers) {
+    Judged judged;
+    Dropped dropped;
+    const Encoding encoding = rec709_encoding();
+    for (std::size_t i = 0; i < scenes().size(); i += is_sweep("1") ? 1 : is_sweep("0") ? 50 : 5) {
+        const std::optional<ModelScene> scene = reference::seen_through(scenes()[i]);
+        if (!scene || std::holds_alternative<Crystal>(scene->mechanism)) continue;
+        const ChosenLut chosen = choose_lut(planned(*scene), encoding);
+        expect_bound_kept(*scene, chosen, is_sweep("1") ? 64 : 24, judged);
+        expect_shares_kept(
+            *scene, chosen, [&](const EffectSet& without) { return program_colours(chosen.lut.job, without); },
+            dropped);
+    }
+    print("seen through layers", judged);
+    print("seen through layers", dropped);
+    EXPECT_GT(judged.luts, is_sweep("0") ? 1u : 15u);
 }
 
 }  // namespace

@@ -196,7 +196,7 @@ TEST(ColouredMetal, UnderAFilmReflectsAsTheTextbookSays) {
             const auto metal = coloured_metal({f0, tint});
             const Film film{1.0, 1.5, 400.0, Index(metal)};
             for (const double cosine : {1.0, 0.8, 0.3, 0.05}) {
-                const Spectrum spectrum = reflectance(film, Incidence::from_cos(cosine), WavelengthGrid{});
+                const Spectrum spectrum = observed_spectrum(film, Incidence::from_cos(cosine), WavelengthGrid{});
                 for (const int node : {0, 100, 195, 333, 470}) {
                     const double nm = 360.0 + node;
                     EXPECT_NEAR(spectrum.value[static_cast<std::size_t>(node)],

@@ -48,7 +48,7 @@ std::string message_of(const std::string& scene) {
 
 Rec709 normal_colour(const Mechanism& mechanism) {
     const auto& light = reference::ModelLight::of("D65", 2);
-    const Spectrum spectrum = reflectance(mechanism, Incidence::from_degrees(0.0), WavelengthGrid{});
+    const Spectrum spectrum = observed_spectrum(mechanism, Incidence::from_degrees(0.0), WavelengthGrid{});
     reference::Triple seen{};
     for (std::size_t i = 0; i < spectrum.value.size(); ++i) {
         const bool is_end = i == 0 || i + 1 == spectrum.value.size();
@@ -92,8 +92,8 @@ TEST(MetalScene, RowOfTheAxisIsWhatASceneWithThisF0Is) {
                               "[lut.m]\ny = { parameter = \"substrate.f0\", from = 0, to = 0.8 }\n");
     const Plan half = plan_of(film + "substrate = { f0 = [0.4, 0.2, 0.1] }\n");
     const Geometry geometry = Incidence::from_degrees(50.0);
-    EXPECT_EQ(reflectance(mechanism_at(plan.luts[0].job, 0.0, 0.5), geometry, WavelengthGrid{}).value,
-              reflectance(half.materials[0].mechanism, geometry, WavelengthGrid{}).value);
+    EXPECT_EQ(observed_spectrum(mechanism_at(plan.luts[0].job, 0.0, 0.5), geometry, WavelengthGrid{}).value,
+              observed_spectrum(half.materials[0].mechanism, geometry, WavelengthGrid{}).value);
 }
 
 TEST(MetalScene, HasF0AmongItsParametersInPlaceOfNAndK) {

@@ -44,6 +44,9 @@ public:
     /// @param weights  three arrays, of padded_count() numbers each; those beyond count() are 0
     std::array<double, 3> weighted_reflectances(const Incidence& incidence, const std::array<const double*, 3>& weights,
                                                 Polarisation polarisation = Polarisation::mean) const;
+    /// The same of what is observed; transmittance takes a little longer.
+    std::array<double, 3> weighted(const Incidence& incidence, const std::array<const double*, 3>& weights,
+                                   Observed observed, Polarisation polarisation) const;
 
     std::size_t count() const { return count_; }
     std::size_t padded_count() const;

@@ -164,20 +164,9 @@ HWY_INLINE V fraction(V value) {
     return hn::Min(hn::Max(value, hn::Zero(d)), hn::Set(d, 1.0));
 }
 
-struct ResponseLanes {
-    V r_s, r_p, t_s, t_p;
-};
-
-HWY_INLINE ResponseLanes response_of(const Block& block) {
-    Polarised<Amplitudes, 2> whole;
-    whole_amplitudes(block, whole);
-    // From amplitudes to power.
-    const auto incident = block.admittances<Complex, 2>(block.layers().incident);
-    const auto substrate = block.admittances<Complex, 2>(block.layers().substrate);
-    const V into_s = hn::Div(substrate.s.value.re, incident.s.value.re);
-    const V into_p = hn::Div(substrate.p.value.re, incident.p.value.re);
-    return {fraction(whole.s.r2), fraction(whole.p.r2), fraction(hn::Mul(whole.s.t2, into_s)),
-            fraction(hn::Mul(whole.p.t2, into_p))};
+// From the amplitude that comes out below to its power.
+HWY_INLINE V power_below(const Amplitudes& whole, const Admittance<Complex>& above, const Admittance<Complex>& below) {
+    return fraction(hn::Mul(whole.t2, hn::Div(below.value.re, above.value.re)));
 }
 
 // The sum of the polarisations' reflectances.
@@ -204,6 +193,18 @@ HWY_INLINE V reflectances(const Block& block) {
     }
 }
 
+// The same of transmittances.
+template <int count>
+HWY_INLINE V transmittances(const Block& block) {
+    Polarised<Amplitudes, count> whole;
+    whole_amplitudes(block, whole);
+    const auto above = block.admittances<Complex, count>(block.layers().incident);
+    const auto below = block.admittances<Complex, count>(block.layers().substrate);
+    const V s = power_below(whole.s, above.s, below.s);
+    if constexpr (count == 1) return s;
+    if constexpr (count == 2) return hn::Add(s, power_below(whole.p, above.p, below.p));
+}
+
 // Media that every register prepares once; the rest, of stacks whose index keeps changing, are computed as they come.
 constexpr std::size_t most_cached = 256;
 
@@ -227,26 +228,29 @@ HWY_INLINE void for_each_block(const LayersAtAngle& angle, Polarisation polarisa
 void responses(const LayersAtAngle& angle, Response* out) {
     for_each_block(angle, Polarisation::mean, [&](std::size_t first, const Block& block) {
         const D d;
-        const ResponseLanes r = response_of(block);
+        Polarised<Amplitudes, 2> whole;
+        whole_amplitudes(block, whole);
+        const auto above = block.admittances<Complex, 2>(block.layers().incident);
+        const auto below = block.admittances<Complex, 2>(block.layers().substrate);
         HWY_ALIGN double values[4][hn::MaxLanes(D())];
-        hn::Store(r.r_s, d, values[0]);
-        hn::Store(r.r_p, d, values[1]);
-        hn::Store(r.t_s, d, values[2]);
-        hn::Store(r.t_p, d, values[3]);
+        hn::Store(fraction(whole.s.r2), d, values[0]);
+        hn::Store(fraction(whole.p.r2), d, values[1]);
+        hn::Store(power_below(whole.s, above.s, below.s), d, values[2]);
+        hn::Store(power_below(whole.p, above.p, below.p), d, values[3]);
         for (std::size_t lane = 0; lane < hn::Lanes(d); ++lane)
             out[first + lane] = {values[0][lane], values[1][lane], values[2][lane], values[3][lane]};
     });
 }
 
 template <int count>
-HWY_INLINE void weighted(const LayersAtAngle& angle, Polarisation polarisation, const double* const* weights,
-                         double* sums) {
+HWY_INLINE void weighted(const LayersAtAngle& angle, Observed observed, Polarisation polarisation,
+                         const double* const* weights, double* sums) {
     const D d;
     V sum_0 = hn::Zero(d);
     V sum_1 = hn::Zero(d);
     V sum_2 = hn::Zero(d);
     for_each_block(angle, polarisation, [&](std::size_t first, const Block& block) {
-        const V r = reflectances<count>(block);
+        const V r = observed == Observed::reflectance ? reflectances<count>(block) : transmittances<count>(block);
         sum_0 = hn::MulAdd(hn::LoadU(d, weights[0] + first), r, sum_0);
         sum_1 = hn::MulAdd(hn::LoadU(d, weights[1] + first), r, sum_1);
         sum_2 = hn::MulAdd(hn::LoadU(d, weights[2] + first), r, sum_2);
@@ -256,11 +260,13 @@ HWY_INLINE void weighted(const LayersAtAngle& angle, Polarisation polarisation, 
     sums[1] = share * hn::GetLane(hn::SumOfLanes(d, sum_1));
     sums[2] = share * hn::GetLane(hn::SumOfLanes(d, sum_2));
 }
-void weighted_both(const LayersAtAngle& angle, const double* const* weights, double* sums) {
-    weighted<2>(angle, Polarisation::mean, weights, sums);
-}
-void weighted_one(const LayersAtAngle& angle, Polarisation polarisation, const double* const* weights, double* sums) {
-    weighted<1>(angle, polarisation, weights, sums);
+void weighted_sums(const LayersAtAngle& angle, Observed observed, Polarisation polarisation,
+                   const double* const* weights, double* sums) {
+    if (polarisation == Polarisation::mean) {
+        weighted<2>(angle, observed, polarisation, weights, sums);
+    } else {
+        weighted<1>(angle, observed, polarisation, weights, sums);
+    }
 }
 
 }  // namespace HWY_NAMESPACE
@@ -272,8 +278,7 @@ namespace nacre {
 namespace {
 
 HWY_EXPORT(responses);
-HWY_EXPORT(weighted_both);
-HWY_EXPORT(weighted_one);
+HWY_EXPORT(weighted_sums);
 
 }  // namespace
 
@@ -282,13 +287,9 @@ void multilayer_responses(const LayersAtAngle& angle, Response* out) {
 }
 
 std::array<double, 3> multilayer_weighted(const LayersAtAngle& angle, const std::array<const double*, 3>& weights,
-                                          Polarisation polarisation) {
+                                          Observed observed, Polarisation polarisation) {
     std::array<double, 3> sums{};
-    if (polarisation == Polarisation::mean) {
-        HWY_DYNAMIC_DISPATCH(weighted_both)(angle, weights.data(), sums.data());
-    } else {
-        HWY_DYNAMIC_DISPATCH(weighted_one)(angle, polarisation, weights.data(), sums.data());
-    }
+    HWY_DYNAMIC_DISPATCH(weighted_sums)(angle, observed, polarisation, weights.data(), sums.data());
     return sums;
 }
 

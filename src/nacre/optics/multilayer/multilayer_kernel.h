@@ -63,6 +63,6 @@ struct LayersAtAngle {
 /// @param out  padded
 void multilayer_responses(const LayersAtAngle& angle, Response* out);
 std::array<double, 3> multilayer_weighted(const LayersAtAngle& angle, const std::array<const double*, 3>& weights,
-                                          Polarisation polarisation);
+                                          Observed observed, Polarisation polarisation);
 
 }  // namespace nacre

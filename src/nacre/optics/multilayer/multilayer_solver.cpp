@@ -243,7 +243,13 @@ void MultilayerSolver::responses(const Incidence& incidence, std::span<Response>
 std::array<double, 3> MultilayerSolver::weighted_reflectances(const Incidence& incidence,
                                                               const std::array<const double*, 3>& weights,
                                                               Polarisation polarisation) const {
-    return multilayer_weighted(at_angle(*prepared_, incidence), weights, polarisation);
+    return weighted(incidence, weights, Observed::reflectance, polarisation);
+}
+
+std::array<double, 3> MultilayerSolver::weighted(const Incidence& incidence,
+                                                 const std::array<const double*, 3>& weights, Observed observed,
+                                                 Polarisation polarisation) const {
+    return multilayer_weighted(at_angle(*prepared_, incidence), weights, observed, polarisation);
 }
 
 }  // namespace nacre

@@ -57,6 +57,10 @@ LitTable lit_table(const Job& job, double most_effort) {
     const PlotArea& area = fine.y ? plane_area_of_two : line_area;
     table.first_slope = slope_of(mechanism_at(fine, 0.0, 0.0).effects.relief);
     table.last_slope = slope_of(mechanism_at(fine, 0.0, 1.0).effects.relief);
+    if (is_transmittance(job.material.mechanism)) {
+        table.through = bake_panel(fine, area, most_effort).image;
+        fine.material.mechanism.effects.observed = Observed::reflectance;
+    }
     table.mirrored = bake_panel(fine, area, most_effort).image;
     if (!scatters_below(job)) return table;
     table.scattered = std::move(table.mirrored);

@@ -21,6 +21,7 @@ inline Xyz operator*(double factor, Xyz colour) {
 /// over its second axis, if it has one.
 struct LitTable {
     Image<Xyz> mirrored;   ///< x: the angle; y: the second axis, its first value in the last row
+    Image<Xyz> through;    ///< what goes through the layers, of the same size, if the job is of that; else empty
     Image<Xyz> scattered;  ///< what a base that is no metal scatters, of the same size; empty: there is none
     Quantity quantity = Quantity::incidence;
     double first_slope = 0.0;    ///< of the facets, its deviation in radians, at the first value of the second axis

@@ -105,6 +105,15 @@ double studio_irradiance(const glm::dvec3& normal) {
     return seen;
 }
 
+double checkerboard(const Ray& ray) {
+    constexpr double depth = -3.0;  // chosen: some eight squares across a picture
+    constexpr double side = 0.48;
+    if (!(ray.way.z < 0.0)) return dark_square;
+    const glm::dvec3 at = ray.from + (depth - ray.from.z) / ray.way.z * ray.way;
+    const double squares = std::floor(at.x / side) + std::floor(at.y / side);
+    return std::fmod(std::abs(squares), 2.0) < 0.5 ? light_square : dark_square;
+}
+
 double overcast_sky(const glm::dvec3& way) {
     return (1.0 + 2.0 * std::max(way.y, 0.0)) / 3.0;
 }

@@ -28,6 +28,10 @@ double studio_luminance(const Ray& ray, double blur_rad);
 /// wholes.
 double studio_irradiance(const glm::dvec3& normal);
 
+/// A checkerboard behind an object that one sees through, upright and across the view: the luminance of its squares.
+double checkerboard(const Ray& ray);
+inline constexpr double light_square = 0.3, dark_square = 0.1;
+
 /// The overcast sky of CIE S 011 (Moon and Spencer 1942): L = (1 + 2 sin(elevation)) / 3 of the zenith's.
 double overcast_sky(const glm::dvec3& way);
 

@@ -45,7 +45,10 @@ Scenery scenery_of(SwatchKind kind) {
     }
 }
 
-double automatic_ev(const LitTable& table, const LitPicture& picture, double brightness) {
+double automatic_ev(const LitTable& table, const LitPicture& picture, const PlannedSwatch& planned, double brightness) {
+    // What is only seen through is as bright as what is behind it; what is mirrored in front of that adds to it.
+    if (table.through.size() > 0 && planned.kind == SwatchKind::sphere) return 0.0;
+    if (table.through.size() > 0) brightness -= light_square;
     const double level = brightness * (table.quantity == Quantity::grating_u ? 2.5 : 1.0);
     return picture.brightest > 0.0 ? std::log2(level / picture.brightest) : 0.0;
 }
@@ -83,7 +86,8 @@ std::string exposure_text(double exposure_ev) {
 SwatchKind object_of(const Material& material) {
     if (quantity_of(material.mechanism) == Quantity::grating_u) return SwatchKind::disc;
     const auto* film = std::get_if<Film>(&material.mechanism);
-    if (film == nullptr || material.mechanism.effects.base) return SwatchKind::sphere;
+    if (film == nullptr || is_transmittance(material.mechanism) || material.mechanism.effects.base)
+        return SwatchKind::sphere;
     if (film->substrate == film->incident) return SwatchKind::bubble;
     return is_water(film->substrate) ? SwatchKind::puddle : SwatchKind::sphere;
 }
@@ -93,7 +97,7 @@ LitImage lit_image(const PlannedSwatch& planned, int side, double most_effort) {
     const Scenery scenery = scenery_of(planned.kind);
     LitPicture picture = take_picture(
         scenery.camera, [&](const Ray& ray) { return scenery.look(table, ray); }, side);
-    const double exposure_ev = planned.exposure_ev.value_or(automatic_ev(table, picture, scenery.brightness));
+    const double exposure_ev = planned.exposure_ev.value_or(automatic_ev(table, picture, planned, scenery.brightness));
     LitImage lit{exposed(std::move(picture), std::exp2(exposure_ev)), exposure_ev, {}, {}};
     if (table.second) {
         lit.second_axis = table.second->parameter.description;
@@ -108,6 +112,10 @@ Swatch draw_lit(const PlannedSwatch& planned) {
     swatch.width = swatch.height = lit_side;
     swatch.panels.push_back({0, 0, std::move(lit.image)});
     draw_title(swatch, planned.title, planned.jobs.front(), lit_margin, lit_side - lit_margin);
+    for (Overlay& overlay : swatch.overlays) {
+        if (auto* text = std::get_if<Text>(&overlay))
+            text->halo = is_transmittance(planned.jobs.front().material.mechanism);
+    }
     if (!lit.second_axis.empty()) draw_note(swatch, lit.second_axis + ": " + lit.second_ends, Align::left);
     draw_note(swatch, exposure_text(lit.exposure_ev), Align::right);
     return swatch;

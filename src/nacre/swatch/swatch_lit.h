@@ -29,7 +29,7 @@ struct LitImage {
 LitImage lit_image(const PlannedSwatch& planned, int side, double most_effort = most_panel_effort);
 
 /// The object that a material is easiest to recognise as: a disc of a grating, a puddle of a film on water, a bubble of
-/// a free film, else a sphere.
+/// a free film, else a sphere; of a transmittance always a sphere.
 SwatchKind object_of(const Material& material);
 
 inline constexpr double lit_brightest = 0.92;

@@ -90,12 +90,24 @@ Xyz studio_grey(const Ray& ray) {
     return grey(studio_luminance(ray, 0.0));
 }
 
-// (white - m) / (white + m), times the light.
-Xyz shining_through(double light, const Xyz& m) {
-    const auto part = [&](double white, double colour) {
-        return light * white * std::max(0.0, white - colour) / (white + colour);
+// What is seen where nothing is in the way.
+double background(const LitTable& table, const Ray& ray) {
+    return table.through.size() > 0 ? checkerboard(ray) : studio_luminance(ray, 0.0);
+}
+
+// What a wall lets through; if nobody says so, all that it does not mirror.
+Xyz let_through(const LitTable& table, const Xyz& m, double cos_theta, double along) {
+    if (table.through.size() > 0) return colour_at(table.through, std::sqrt(std::clamp(cos_theta, 0.0, 1.0)), along);
+    return {std::max(0.0, d65_white.x - m.x), std::max(0.0, d65_white.y - m.y), std::max(0.0, d65_white.z - m.z)};
+}
+
+// Light through two walls, between which it goes to and fro: t^2 / (white^2 - m^2), times the light.
+Xyz shining_through(double light, const Xyz& m, const Xyz& t) {
+    const auto part = [&](double white, double mirrored, double passes) {
+        const double kept = white > mirrored ? std::min(passes / (white - mirrored), 1.0) : 1.0;
+        return light * white * passes / (white + mirrored) * kept;
     };
-    return {part(d65_white.x, m.x), part(d65_white.y, m.y), part(d65_white.z, m.z)};
+    return {part(d65_white.x, m.x, t.x), part(d65_white.y, m.y, t.y), part(d65_white.z, m.z, t.z)};
 }
 
 }  // namespace
@@ -121,8 +133,13 @@ Xyz grooves_seen(const LitTable& table, const Lit& lit, const glm::dvec3& toward
 
 Seen look_at_ball(const LitTable& table, const Ray& ray) {
     const std::optional<Chord> chord = chord_of(ray);
-    if (!chord) return {{}, studio_grey(ray)};
+    if (!chord) return {{}, grey(background(table, ray))};
     const glm::dvec3& normal = chord->enters;
+    const double cos_theta = -glm::dot(normal, ray.way);
+    if (table.through.size() > 0) {
+        const Xyz passes = let_through(table, {}, cos_theta, along_meridian(table, normal));
+        return {checkerboard(ray) * passes, {}, cos_theta < grazing_cos};
+    }
     switch (table.quantity) {
         case Quantity::grating_u:
             return {grooved(table, normal, ray), dull_metal * studio_grey(mirrored_ray(normal, normal, ray.way))};
@@ -131,22 +148,23 @@ Seen look_at_ball(const LitTable& table, const Ray& ray) {
         case Quantity::incidence:
             break;
     }
-    return {glossy(table, normal, ray), {}, -glm::dot(normal, ray.way) < grazing_cos};
+    return {glossy(table, normal, ray), {}, cos_theta < grazing_cos};
 }
 
 Seen look_at_bubble(const LitTable& table, const Ray& ray) {
     const std::optional<Chord> chord = chord_of(ray);
-    if (!chord) return {{}, studio_grey(ray)};
+    if (!chord) return {{}, grey(background(table, ray))};
     const double cos_theta = -glm::dot(chord->enters, ray.way);
     const auto wall_seen = [&](const glm::dvec3& point) {
         const double along = along_meridian(table, point);
         return studio_luminance(mirrored_ray(point, point, ray.way), blur_rad(table, along)) *
                mirrored_at(table, cos_theta, along);
     };
-    const Xyz front = mirrored_at(table, cos_theta, along_meridian(table, chord->enters));
-    const double passes = std::max(0.0, 1.0 - front.y);
-    return {wall_seen(chord->enters) + passes * passes * wall_seen(chord->leaves),
-            shining_through(studio_luminance(ray, 0.0), front), cos_theta < grazing_cos};
+    const double along = along_meridian(table, chord->enters);
+    const Xyz front = mirrored_at(table, cos_theta, along);
+    const Xyz passes = let_through(table, front, cos_theta, along);
+    return {wall_seen(chord->enters) + passes.y * passes.y * wall_seen(chord->leaves),
+            shining_through(background(table, ray), front, passes), cos_theta < grazing_cos};
 }
 
 }  // namespace nacre

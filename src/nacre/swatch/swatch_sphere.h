@@ -23,11 +23,14 @@ namespace nacre {
 /// the eye, t across them; body is the metal, which mirrors the studio. A grating has three lamps, for more arcs;
 /// scattering a large one, at the edge of whose light n.l fades smoothly, and the room: irradiance / pi, as if all of
 /// it came from the side.
+///
+/// Of a transmittance t it is no mirror: a checkerboard is seen through its front, t(n.v) times as bright.
 Seen look_at_ball(const LitTable& table, const Ray& ray);
 
 /// A hollow ball with thin walls, such as a soap bubble: both walls mirror the studio, and what they do not reflect
 /// shines through. With m of two walls that take nothing, between which light goes to and fro, (1 - m) / (1 + m) goes
-/// through; taken for X, Y and Z alike. What shines through is shown as it is at exposure 0.
+/// through; taken for X, Y and Z alike. What shines through is shown as it is at exposure 0. Of a transmittance t it is
+/// a checkerboard that shines through, t^2 / (1 - m^2) times as bright.
 /// @pre the material depends on the angle of incidence
 Seen look_at_bubble(const LitTable& table, const Ray& ray);
 

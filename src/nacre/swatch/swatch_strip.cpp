@@ -71,6 +71,18 @@ double automatic_strip_ev(const Job& job, const Image<Xyz>& colours) {
     return -std::log2(brightest);
 }
 
+// Five squares high; on the light ones the colours are as they are.
+void lay_over_checkerboard(Image<Xyz>& colours) {
+    constexpr int rows = 5;
+    constexpr double dark = 0.5;
+    const int side = std::max(colours.height() / rows, 1);
+    for (int y = 0; y < colours.height(); ++y) {
+        for (int x = 0; x < colours.width(); ++x) {
+            if ((x / side + y / side) % 2 == 1) colours.at(x, y) = dark * colours.at(x, y);
+        }
+    }
+}
+
 void draw_note_above(Swatch& swatch, const PlotArea& area, const std::string& note) {
     if (note.empty()) return;
     swatch.overlays.push_back(Text{note, {area.box().right, area.top - 22.0}, note_px, Align::right, dim_grey});
@@ -102,6 +114,7 @@ void draw_strip_in(Swatch& swatch, const PlannedSwatch& planned, const PlotArea&
     draw_outside(swatch, area, colours, !job.y, space);
     const double exposure_ev = planned.exposure_ev.value_or(automatic_strip_ev(job, colours));
     for (Xyz& colour : colours) colour = std::exp2(exposure_ev) * colour;
+    if (is_transmittance(job.material.mechanism)) lay_over_checkerboard(colours);
     draw_frame(swatch, area);
     draw_x_axis(swatch, area, job.x, axis_title(job.x));
     if (job.y) draw_y_axis(swatch, area, *job.y, axis_title(*job.y));

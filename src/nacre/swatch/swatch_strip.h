@@ -12,6 +12,8 @@ namespace nacre {
 /// A LUT with its axes, even in degrees unless the swatch wants another axis; below it, a second scale says where the
 /// texels of the LUT are.
 ///
+/// A transmittance lies over a checkerboard, whose light squares show the LUT as it is.
+///
 /// Without a fixed exposure, gratings and scattering layers whose brightest component is above white are darkened until
 /// it is white. The picture says its exposure unless it is 0.
 Swatch draw_strip(const PlannedSwatch& planned, const LutSpace& space);

@@ -170,6 +170,60 @@ TEST(Bubble, TwoWallsLetThroughWhatAWindowDoes) {
     EXPECT_NEAR(look_at_bubble(even_table(0.04), ray).rest.y / studio_luminance(ray, 0.0), 0.96 / 1.04, 1e-9);
 }
 
+// R and T of walls that are as even as those of even_table().
+LitTable see_through(double reflected, double passes) {
+    LitTable table = even_table(reflected);
+    table.through = Image<Xyz>(16, 1, grey(passes));
+    return table;
+}
+
+TEST(Checkerboard, HasSquaresOfTwoTonesAllAlong) {
+    const auto seen = [](double x, double y) { return checkerboard(straight_at(x, y)); };
+    EXPECT_EQ(seen(0.1, 0.1), light_square);
+    for (const double step : {0.48, -0.48, 1.44}) {
+        EXPECT_EQ(seen(0.1 + step, 0.1), dark_square) << step;
+        EXPECT_EQ(seen(0.1, 0.1 + step), dark_square) << step;
+        EXPECT_EQ(seen(0.1 + step, 0.1 + step), light_square) << step;
+    }
+}
+
+TEST(Ball, OfATransmittanceIsSeenThroughToTheBoard) {
+    for (const double x : {0.1, 0.6}) {
+        const Ray ray = straight_at(x, 0.1);
+        const Seen seen = look_at_ball(see_through(0.3, 0.7), ray);
+        EXPECT_NEAR(seen.material.y, 0.7 * checkerboard(ray), 1e-12);
+        EXPECT_EQ(seen.rest.y, 0.0) << "it mirrors nothing";
+    }
+    const Ray beside = straight_at(1.3, 0.1);
+    EXPECT_EQ(look_at_ball(see_through(0.3, 0.7), beside).rest.y, checkerboard(beside));
+}
+
+// 1 - r of a wall that takes nothing; else what goes to and fro is t^2 (1 + r^2 + r^4 ...).
+TEST(Bubble, OfATransmittanceShowsBothSides) {
+    const Ray ray = straight_at(0.1, 0.1);
+    const Seen clear = look_at_bubble(see_through(0.04, 0.96), ray);
+    EXPECT_NEAR(clear.rest.y, light_square * 0.96 / 1.04, 1e-9);
+    EXPECT_NEAR(clear.material.y, look_at_bubble(even_table(0.04), ray).material.y, 1e-12);
+    const Seen grey_glass = look_at_bubble(see_through(0.1, 0.5), ray);
+    EXPECT_NEAR(grey_glass.rest.y, light_square * 0.25 * (1.0 + 0.01 + 1e-4 + 1e-6 + 1e-8), 1e-9);
+    EXPECT_NEAR(look_at_bubble(see_through(1.0, 0.0), ray).rest.y, 0.0, 1e-12);
+}
+
+TEST(LitSwatch, ABallThatIsSeenThroughIsExposedLikeTheBoard) {
+    PlannedSwatch swatch;
+    swatch.kind = SwatchKind::sphere;
+    Mechanism glass = Film{1.0, 1.5, 300.0, 1.5, 0.0};
+    glass.effects.observed = Observed::transmittance;
+    swatch.jobs = swatch_jobs(SwatchKind::sphere, {"glass", glass, {}}, test::light_of());
+    const LitImage lit = lit_image(swatch, 60);
+    EXPECT_EQ(lit.exposure_ev, 0.0);
+    double brightest = 0.0;
+    for (const Xyz& pixel : lit.image) brightest = std::max(brightest, pixel.y);
+    EXPECT_NEAR(brightest, light_square, 1e-9);
+    // In the middle glass lets 96 % of the light in; there two squares meet.
+    EXPECT_NEAR(std::max(lit.image.at(26, 28).y, lit.image.at(33, 28).y), 0.96 * light_square, 0.002);
+}
+
 TEST(Disc, HasAHoleAndGroovesWhereACompactDiscHasThem) {
     const LitTable table = even_table(1.0, Quantity::grating_u);
     const auto at = [&](double radius) { return look_at_disc(table, {{radius, 5.0, 0.0}, {0.0, -1.0, 0.0}}); };

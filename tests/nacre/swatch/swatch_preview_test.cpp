@@ -94,6 +94,9 @@ TEST(PreviewSwatch, ShowsTheObjectThatSuitsTheMaterial) {
     EXPECT_EQ(object(film), SwatchKind::sphere);
     film.substrate = film.incident;
     EXPECT_EQ(object(film), SwatchKind::bubble);
+    Mechanism through = film;
+    through.effects.observed = Observed::transmittance;
+    EXPECT_EQ(object(through), SwatchKind::sphere);
 }
 
 // An azimuth says where light comes from, not what changes along a disc.

@@ -217,6 +217,18 @@ TEST(StripSwatch, ATwoDimensionalLutHasItsSmallestYAtTheBottom) {
     EXPECT_GT(panel.image.at(100, 0).y, 0.05);
 }
 
+// Of glass from one side: 4 % comes back from its face.
+TEST(StripSwatch, ATransmittanceLiesOverACheckerboard) {
+    Mechanism glass = Film{1.0, 1.5, 0.0, 1.5, 0.0};
+    glass.effects.observed = Observed::transmittance;
+    const Panel panel = draw_swatch(planned(SwatchKind::strip, {"glass", glass, {}})).panels.at(0);
+    const int side = panel.image.height() / 5;
+    EXPECT_NEAR(panel.image.at(side - 1, side - 1).y, 0.96, 1e-6);
+    EXPECT_NEAR(panel.image.at(side, side - 1).y, 0.48, 1e-3);
+    EXPECT_NEAR(panel.image.at(side - 1, side).y, 0.48, 1e-6);
+    EXPECT_NEAR(panel.image.at(side, side).y, 0.96, 1e-3);
+}
+
 // cos 60 = 1/2: the texels of the default axis are even in the square root.
 TEST(StripSwatch, ASecondScaleSaysWhereTheTexelsAre) {
     const Swatch& swatch = picture(SwatchKind::strip, morpho);

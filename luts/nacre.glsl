@@ -18,7 +18,7 @@
 //     nacre_fetch(lut, nacre_cos_scatter(dot(-L, V)))
 
 // Where v = 0 is in the LUT. 0: the file's first row (Direct3D, Unreal, Godot, glTexImage2D of the file's rows);
-// 1: the file's last row (three.js, Babylon.js, Blender). It makes no difference for a LUT of one row.
+// 1: the file's last row (three.js, Babylon.js, Unity, Blender). It makes no difference for a LUT of one row.
 #ifndef NACRE_FLIP_V
 #define NACRE_FLIP_V 0
 #endif

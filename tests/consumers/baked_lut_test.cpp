@@ -216,19 +216,18 @@ std::string lit_material() {
     return code;
 }
 
-TEST(LitMaterial, OfThePageIsTheEnvironmentTimesItsEnergyWithoutALight) {
+class LitMaterial : public ::testing::TestWithParam<ShaderVariant> {};
+
+TEST_P(LitMaterial, OfThePageIsTheEnvironmentTimesItsEnergyWithoutALight) {
     const Baked baked = bake_and_read(
         "[material.s]\nmechanism = \"film\"\nindex = 2.4\nthickness_nm = 130\nsubstrate = \"cr\"\n[lut.a]\n"
         "y = { parameter = \"roughness\", from = 0, to = 1 }\nmax_de00 = 0.5\n");
     const std::string eye = "vec3(sqrt(1.0 - value.x * value.x), 0.0, value.x)";
     const std::string up = "vec3(0.0, 0.0, 1.0)";
+    const std::string code = snippet(ShaderLanguage::glsl) + "precision highp float;\n" + lit_material();
     const auto run = [&](const std::string& expression) {
-        return run_shader({ShaderVariant::glsl_450,
-                           snippet(ShaderLanguage::glsl) + lit_material(),
-                           baked.stored,
-                           random_inputs(),
-                           expression,
-                           {}});
+        ShaderJob job{GetParam(), code, baked.stored, random_inputs(), expression, {}};
+        return run_shader(job);
     };
     const auto lit = [&](const std::string& light, const std::string& sky) {
         return run("nacre_lit(LUT, " + up + ", " + eye + ", " + up + ", vec3(" + light + "), vec3(" + sky +
@@ -243,6 +242,8 @@ TEST(LitMaterial, OfThePageIsTheEnvironmentTimesItsEnergyWithoutALight) {
         EXPECT_TRUE(std::isfinite(under_light[i].g));
     }
 }
+
+INSTANTIATE_TEST_SUITE_P(Variants, LitMaterial, ::testing::Values(ShaderVariant::glsl_es_300, ShaderVariant::glsl_450));
 
 INSTANTIATE_TEST_SUITE_P(Variants, BakedLut1D,
                          ::testing::Values(ShaderVariant::glsl_es_300, ShaderVariant::glsl_450, ShaderVariant::hlsl));

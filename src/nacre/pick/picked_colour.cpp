@@ -12,6 +12,8 @@ namespace {
 
 constexpr double all_light = 1.0001;  // as Y, and rounding
 
+constexpr const char* bytes_hint = "; components go from 0 to 1, and these look like 0 to 255";
+
 // Why no structure shows a colour, where physics says so at once; else what may come closer.
 std::string advice(const PickedColour& picked) {
     constexpr double grazing_deg = 89.99;
@@ -47,7 +49,7 @@ std::string dimmed_text(const PickedColour& picked) {
         text += ", because no reflectance is both so bright and so saturated";
     }
     text += "; the hue stays, and " + error;
-    if (picked.looks_like_bytes) text += "; components go from 0 to 1, and these look like 0 to 255";
+    if (picked.looks_like_bytes) text += bytes_hint;
     return text;
 }
 
@@ -57,6 +59,7 @@ std::string match_text(const PickedColour& picked) {
     if (picked.lobe) return picked.is_met() ? "exact" : dimmed_text(picked);
     if (picked.is_met()) return "met, CIEDE2000 " + significant_text(picked.de00, 2);
     const std::string error = "misses by CIEDE2000 " + significant_text(picked.de00, 3);
+    if (picked.looks_like_bytes) return error + bytes_hint;
     return picked.is_searched ? error + advice(picked) : error;
 }
 

@@ -55,8 +55,8 @@ double automatic_ev(const LitTable& table, const LitPicture& picture, const Plan
 
 // "20 nm at the top, 1200 nm at the bottom"
 std::string ends_text(const Axis& axis, const Scenery& scenery) {
-    const std::string unit =
-        axis.parameter.allowed.unit == "degrees" ? "°" : " " + std::string(axis.parameter.allowed.unit);
+    std::string unit(axis.parameter.allowed.unit);
+    if (!unit.empty()) unit = unit == "degrees" ? "°" : " " + unit;
     const auto end = [&](double value, const char* where) { return rounded_text(value, 4) + unit + " " + where; };
     return end(axis.from, scenery.first) + ", " + end(axis.to, scenery.last);
 }

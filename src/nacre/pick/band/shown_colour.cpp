@@ -19,7 +19,11 @@ Xyz with_chroma(const Oklab& colour, double share) {
 
 ShownColour shown_colour(const ExactBands& bands, const Light& light, const Xyz& colour) {
     const glm::dmat3 to_light = glm::inverse(light.adaptation);
-    const auto brightest = [&](const Xyz& c) { return bands.brightest(adapt(to_light, c)); };
+    // Of numbers that were meant as 0 to 255, the search for the brightest would end at black.
+    const auto brightest = [&](const Xyz& c) {
+        const double times_white = std::max(c.y, 1.0);
+        return bands.brightest(adapt(to_light, scaled(c, 1.0 / times_white))) / times_white;
+    };
     constexpr double black = 1e-7;  // less has no chromaticity
     if (std::abs(colour.x) + std::abs(colour.y) + std::abs(colour.z) < black) return {};
     const Oklab picked = xyz_to_oklab(colour);

@@ -7,10 +7,12 @@
 // In ES declare it `uniform highp sampler2D lut;`, because lowp is the default.
 //
 // A light with a direction (point, spot, sun): the angle on the facet that mirrors L into V.
-//     nacre_punctual(lut, L, V), that is nacre_fetch(lut, nacre_sqrt_cos_theta(dot(V, normalize(L + V))), 0.0)
+//     nacre_punctual(lut, L, V)
 // Light from all around (environment map, probe), and where there is no light; rows over the roughness, from 0 to 1:
-//     nacre_environment(lut, N, V, roughness), that is nacre_fetch(lut, nacre_sqrt_cos_theta(dot(N, V)), roughness)
-// L, V and N have length 1. With another axis x or other rows use nacre_fetch and the functions of these axes.
+//     nacre_environment(lut, N, V, roughness)
+// L, V and N have length 1. With another axis x or other rows use the functions of these axes. The two above are:
+//     nacre_fetch(lut, nacre_sqrt_cos_theta(dot(V, normalize(L + V))), 0.0)
+//     nacre_fetch(lut, nacre_sqrt_cos_theta(dot(N, V)), roughness)
 // Gratings; t lies across the grooves, p is the part of L + V in the surface, a its angle to t (0 to 90 degrees):
 //     nacre_fetch(lut, nacre_grating_u(dot(L + V, t)))
 //     nacre_fetch(lut, nacre_grating_u(length(p)), nacre_parameter(a, 0.0, 90.0))

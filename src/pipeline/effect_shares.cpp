@@ -44,7 +44,8 @@ Job with_own_sampling(Job job, const PlannedLut& lut, const std::shared_ptr<Node
 
 // Without an effect that blurs them, spectra may need many times as many nodes: then that is not timed.
 bool saves_nothing(const Job& job, const Job& less) {
-    return is_layered(job.material.mechanism) && effort_per_colour(less) > 2.0 * effort_per_colour(job);
+    return is_layered(job.material.mechanism) &&
+           effort_per_colour(less) > 2.0 * (effort_per_colour(job) + effort_per_mean(job));
 }
 
 // The job without, or with, the effect of each choice.

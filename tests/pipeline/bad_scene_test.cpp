@@ -159,6 +159,9 @@ const std::vector<Mistake> mistakes{
      scene("[lut.a]\nx = { parameter = \"height\", from = 0, to = 1 }\ny = { parameter = \"picks[0].height\", from = "
            "0, to = 1 }\n"),
      ":6:5 [lut.a]: x and y both set picks[0].height; give two different parameters"},
+    {"ParameterAsAxisWithoutItsEnds", scene("[lut.a]\ny = \"roughness\"\n"),
+     ":5:5 [lut.a]: unknown axis \"roughness\"; known: sqrt_cos_theta, cos_theta, theta_deg, or { parameter = "
+     "\"roughness\", from = ..., to = ... }"},
     {"RoughnessAsAxisOfATiltedMaterial",
      scene("tilt_deg = 3\n[lut.a]\ny = { parameter = \"roughness\", from = 0, to = 1 }\n"),
      ":5:1 [lut.a]: tilt_deg and roughness both say how the facets lean; remove one of them, or its axis"},

@@ -11,8 +11,11 @@ namespace nacre {
 /// @param job  its sampling is decided
 double effort_per_colour(const Job& job);
 
+/// What the mean over facets takes beside it; 0 without facets.
+double effort_per_mean(const Job& job);
+
 /// What a search among LUTs may take: some ten seconds, counted in reflectances of a film, so that
-/// the answer is the same on every machine. Palettes are cheap enough to have no limit.
+/// the answer is the same on every machine. Plain palettes are cheap enough to have no limit.
 class Effort {
 public:
     Effort() = default;
@@ -29,6 +32,8 @@ public:
     std::int64_t most_texels() const { return most_texels_; }
 
 private:
+    double spent(const Work& work) const;
+
     double per_sample_ = 0.0;  // what a reflectance takes, in those of a film; 0: nothing that counts
     double most_curve_colours_ = 1e9;
     std::int64_t most_texels_ = std::int64_t{1} << 22;

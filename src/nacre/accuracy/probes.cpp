@@ -23,9 +23,11 @@ std::vector<Geometry> incidences_of(std::size_t band) {
 }
 
 // Other quantities know the first band only; so does a fixed geometry, but for an angle of incidence in another one.
+// Facets are seen at all angles, wherever the surface is seen from.
 std::vector<Geometry> geometries_of(const Job& job, std::size_t band) {
     const Quantity quantity = quantity_of(job.material.mechanism);
-    if (!job.has_angle()) {
+    const bool has_facets = effects_in(job).minus(job.without).has_any(facet_effects);
+    if (!job.has_angle() && !has_facets) {
         const bool is_its_band = quantity == Quantity::incidence && band == band_of(job.fixed.incidence);
         return band == 0 || is_its_band ? std::vector<Geometry>{job.fixed} : std::vector<Geometry>{};
     }

@@ -29,6 +29,7 @@
 #include "nacre/lut/bake.h"
 #include "nacre/lut/planned_lut.h"
 #include "nacre/material/effects.h"
+#include "nacre/scene/readers/axis_reader.h"
 #include "reference/lut.h"
 #include "reference/materials.h"
 #include "reference/model.h"
@@ -404,6 +405,35 @@ std::vector<std::pair<std::string, Mechanism>> spreads() {
     return {{"uneven film", film},
             {"uneven pair", pair},
             {"slightly uneven film on a base", refined(slight, GreyBase{0.4})}};
+}
+
+// From one direction facets are still seen at all angles: no effect and no wavelength is decided at that direction
+// alone.
+TEST(FacetsSeenFromOneSide, KeepTheBoundOverTheirAxis) {
+    const Encoding encoding = rec709_encoding();
+    for (const auto& [name, to] : {std::pair{"roughness", 1.0}, {"tilt_deg", 30.0}}) {
+        for (const double angle_deg : {0.0, 30.0, 90.0}) {
+            ModelScene scene{name, Film{1.0, 1.33, 400.0, 1.0, 0.0}};
+            scene.max_de00 = 0.1;
+            PlannedLut lut = planned(scene);
+            lut.job.x = parameter_axis(scene.mechanism, name, 0.0, to);
+            lut.job.fixed = Incidence::from_degrees(angle_deg);
+            const ChosenLut chosen = choose_lut(lut, encoding);
+            EXPECT_TRUE(chosen.is_reached) << name << " at " << angle_deg;
+            EXPECT_FALSE(chosen.lut.job.without.has(Effect::polarisation)) << name << " at " << angle_deg;
+            const reference::Pixels pixels =
+                pixels_of(stored_as(encoding.to_rgb(bake(chosen.lut.job)), chosen.lut.format));
+            for (const double x : {0.0, 0.13, 0.37, 0.5, 0.81, 1.0}) {
+                ModelScene one = scene;
+                lut.job.x.parameter.set(one.mechanism, x * to);
+                const Model model(one, 0.25 * judges_share * scene.max_de00);
+                const double sqrt_cos = std::sqrt(Incidence::from_degrees(angle_deg).cos_theta);
+                const double de00 =
+                    reference::error_at(pixels, reference::scale_of(pixels), x, 0.0, model.at(sqrt_cos));
+                EXPECT_LE(de00, (1.0 + judges_share) * scene.max_de00) << name << " " << x << " at " << angle_deg;
+            }
+        }
+    }
 }
 
 using NamedMechanisms = std::vector<std::pair<std::string, Mechanism>>;

@@ -39,8 +39,11 @@ Axis read_geometric_axis(const Table& lut, std::string_view key, const Value& va
     const std::string what = kind == nullptr ? "unknown axis " + in_quotes(name)
                                              : "axis " + in_quotes(name) + " has no meaning for mechanism " +
                                                    std::string(mechanism_name(mechanism));
-    lut.fail(value.where, what + "; known: " + comma_separated(kind_names(quantity)) +
-                              ", or { parameter = \"...\", from = ..., to = ... }");
+    const std::vector<Parameter> parameters = parameters_of(mechanism);
+    const bool is_parameter = std::any_of(parameters.begin(), parameters.end(),
+                                          [&](const Parameter& parameter) { return parameter.name == name; });
+    lut.fail(value.where, what + "; known: " + comma_separated(kind_names(quantity)) + ", or { parameter = " +
+                              in_quotes(is_parameter ? name : "...") + ", from = ..., to = ... }");
 }
 
 // The axis over a parameter of that name, or the names of all that there are.

@@ -158,9 +158,8 @@ private:
     // Whether { from, to } are the bounds of a search.
     bool is_free(const Table& range, const LayerPath& path) const {
         if (free_ == nullptr) return false;
-        if (!is_in_group(path)) return true;
         const Value* flag = range.find("free");
-        if (flag == nullptr) return false;
+        if (flag == nullptr) return !is_in_group(path);
         const auto* given = std::get_if<bool>(&flag->data);
         if (given == nullptr) range.fail(flag->where, "free = " + flag->text() + "; give true or false");
         return *given;

@@ -58,9 +58,10 @@ SpectrumTable table_of_options(const Plan& plan, const SpectrumRequest& request)
     std::vector<double> numbers =
         has_u ? numbers_in_ranges(request.grating_us, "--grating-u") : numbers_in_ranges(request.angles, "--angle");
     if (numbers.empty()) numbers = {0.0};
+    const std::string option = "--material";
     SpectrumTable table{{"material", has_u ? "grating_u" : "angle_deg"}, {}, {}};
     for (const std::string& name : asked_materials(plan, request)) {
-        const Material& asked = asked_material(plan, request, name, "--material");
+        const Material& asked = asked_material(plan, request, name, option);
         if (request.wants_colour) check_colour(name, asked.mechanism, *plan.light, asked.where.text());
         for (const double number : numbers) {
             if (!has_u) check_angle(number, asked.mechanism, "--angle");

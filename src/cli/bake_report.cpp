@@ -43,6 +43,7 @@ std::string lut_line(const BakeTask& task, const BakedLut& baked) {
     std::string line = output_files(lut).front() + "  " + size_text(lut.job) + " " +
                        std::string(name_of(format_words, lut.format)) + "  " +
                        space_text(task.decided->space(), *task.scene) + "  " + accuracy_text(lut, baked);
+    if (const std::string wide = width_text(lut.job); !wide.empty()) line += "  " + wide;
     if (baked.gamut.outside > 0) line += "  " + gamut_text(lut.job, baked.gamut, lut.colour.gamut);
     for (const EffectChoice& choice : task.decided->lut.effects) {
         if (!choice.is_simulated && choice.is_measured)

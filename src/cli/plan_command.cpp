@@ -10,6 +10,7 @@
 #include "cli/plan_notes.h"
 #include "cli/plan_report.h"
 #include "cli/previews.h"
+#include "cli/report.h"
 #include "cli/scenes.h"
 #include "cli/stop_signal.h"
 #include "pipeline/decide.h"
@@ -53,6 +54,8 @@ void print(const std::vector<PlanRow>& rows, const std::vector<LoadedScene>& sce
         if (row.lut->space().has_inverse()) {
             for (const std::string& line : error_lines(*row.lut)) console.summary(line);
         }
+        if (const std::string wide = width_text(row.lut->lut.lut.job); !wide.empty())
+            console.summary(row.lut->lut.lut.name + ": " + wide + "; a larger bound needs fewer texels");
         for (const std::string& line : effect_lines(row.lut->lut.lut.name, row.effects)) console.summary(line);
         console.summary("");
     }

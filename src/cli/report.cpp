@@ -33,6 +33,11 @@ std::string space_text(const ColourSpace& space, const LoadedScene& scene) {
     return space.name() + " (config " + scene.source.name + ")";
 }
 
+std::string width_text(const Job& job) {
+    if (job.width <= largest_lut_size) return {};
+    return "wider than " + std::to_string(largest_lut_size) + ", which is more than some phones and browsers take";
+}
+
 Json work_json(const Work& work) {
     Json effects = Json::object();
     for (const EffectRow& row : effect_rows()) {

@@ -19,6 +19,9 @@ std::string duration_text(double seconds);
 /// "lin_rec709 (config nacre)": the space of a LUT, and the config that it is from.
 std::string space_text(const ColourSpace& space, const LoadedScene& scene);
 
+/// "wider than 4096, which is more than some phones and browsers take", of such a LUT.
+std::string width_text(const Job& job);
+
 /// How many of each kind of step a computation took.
 Json work_json(const Work& work);
 

@@ -43,7 +43,7 @@ constexpr const char* predicted = "predicted";
 constexpr const char* reached = "reached";
 }  // namespace keys
 
-constexpr int largest_size = 4096;
+constexpr int largest_size = 16384;
 // Below it a LUT with two axes may take millions of texels.
 constexpr double smallest_budget_of_two_axes = 0.1;
 // A prediction is held against what was measured only if either matters: a constant LUT may be predicted as it likes.
@@ -338,7 +338,7 @@ std::string name_of_budget(const testing::TestParamInfo<double>& info) {
 INSTANTIATE_TEST_SUITE_P(Budgets, AccuracyContract, testing::Values(2.0, 1.0, 0.5, 0.1, 0.02, 0.005), name_of_budget);
 
 TEST(AccuracyContractRefusal, UnreachableBudgetExitsWith4AndWritesNothingUnlessBestEffortIsAsked) {
-    // A hundredth of what 4096 texels can do.
+    // A third of what 16384 texels can do.
     const TemporaryFolder folder;
     folder.file("s.toml", reference::scene_text(reference::paper_morpho()) + "[lut.other]\nmaterial = \"morpho\"\n");
     const std::vector<std::string> arguments{"bake", "s.toml", "-o", "out", "--accuracy", "0.00001"};

@@ -108,9 +108,9 @@ INSTANTIATE_TEST_SUITE_P(
             "Wavelengths", "[accuracy]\nwavelengths = 48\n", "", "0.5",
             "3:11 morpho: max_de00 = 0.5 cannot be reached; the best is 1.34, with 128 x 1 half: 48 wavelengths cost "
             "1.4: leave wavelengths out"},
-        OutOfReach{"Everything", "", "", "1e-04",
-                   "1:11 morpho: max_de00 = 1e-04 cannot be reached; the best is 0.000406, with 4096 x 1 float: "
-                   "interpolation between 4096 x 1 texels costs 0.00041, and 4096 texels are the most that nacre "
+        OutOfReach{"Everything", "", "", "1e-05",
+                   "1:11 morpho: max_de00 = 1e-05 cannot be reached; the best is 2.55e-05, with 16384 x 1 float: "
+                   "interpolation between 16384 x 1 texels costs 2.5e-05, and 16384 texels are the most that nacre "
                    "tries: give a larger bound"}),
     [](const auto& parameters) { return std::string(parameters.param.name); });
 
@@ -239,10 +239,26 @@ TEST(Plan, JsonSaysTheSameAsTheBakeThatFollows) {
 TEST(Plan, ABoundOutOfReachIsExitCode4) {
     const TemporaryFolder folder;
     folder.file("s.toml", morpho);
-    const ProgramResult result = run(folder, {"plan", "s.toml", "--accuracy", "0.0001"});
+    const ProgramResult result = run(folder, {"plan", "s.toml", "--accuracy", "0.00001"});
     EXPECT_EQ(result.exit_code, 4);
-    EXPECT_NE(result.out.find("4096 x 1  float"), std::string::npos) << result.out;
-    EXPECT_NE(result.err.find("max_de00 = 1e-04 cannot be reached"), std::string::npos) << result.err;
+    EXPECT_NE(result.out.find("16384 x 1  float"), std::string::npos) << result.out;
+    EXPECT_NE(result.err.find("max_de00 = 1e-05 cannot be reached"), std::string::npos) << result.err;
+}
+
+TEST(Plan, AndBakeSayThatALutIsWiderThanSomeDevicesTake) {
+    const TemporaryFolder folder;
+    folder.file("s.toml", morpho);
+    const std::string wide = "wider than 4096, which is more than some phones and browsers take";
+    const ProgramResult plan = run(folder, {"plan", "s.toml", "--accuracy", "0.0001"});
+    EXPECT_EQ(plan.exit_code, 0) << plan.err;
+    EXPECT_NE(plan.out.find("\nmorpho: " + wide + "; a larger bound needs fewer texels\n"), std::string::npos)
+        << plan.out;
+    const ProgramResult baked = bake(folder, morpho, {"--accuracy", "0.0001"});
+    EXPECT_EQ(baked.exit_code, 0) << baked.err;
+    EXPECT_NE(baked.out.find("morpho.exr  16384 x 1 float"), std::string::npos) << baked.out;
+    EXPECT_NE(baked.out.find("  " + wide), std::string::npos) << baked.out;
+    EXPECT_EQ(run(folder, {"verify", "out/morpho.exr"}).exit_code, 0);
+    EXPECT_EQ(run(folder, {"plan", "s.toml", "--accuracy", "0.001"}).out.find("wider"), std::string::npos);
 }
 
 TEST(Plan, AnUnknownLutIsAnErrorThatNamesTheKnown) {

@@ -29,7 +29,7 @@ using reference::Worst;
 
 // Digits of the header, and what the judge's own sums may err by.
 constexpr double judges_share = 0.015;
-constexpr int most_texels = 4096;
+constexpr int most_texels = 16384;
 
 // What a header claims is an estimate. Of the 1200 LUTs three claim too little, and keep their bound or are refused: a
 // long stack over a base under a lamp with lines (by 5 and 60 %), and a film of 20 micrometres.

@@ -127,13 +127,15 @@ const std::vector<Mistake> mistakes{
      ":5:9 [lut.a]: space is empty; give a name, or remove the key"},
     {"BoundOfALutOutOfRange", scene("[lut.a]\nmax_de00 = 0\n"),
      ":5:12 [lut.a]: max_de00 = 0 is out of range; allowed [1e-05, 100]"},
-    {"SizeZero", scene("[lut.a]\nsize = 0\n"), ":5:8 [lut.a]: size = 0 is out of range; allowed [2, 4096] texels"},
-    {"SizeOne", scene("[lut.a]\nsize = 1\n"), ":5:8 [lut.a]: size = 1 is out of range; allowed [2, 4096] texels"},
+    {"SizeZero", scene("[lut.a]\nsize = 0\n"), ":5:8 [lut.a]: size = 0 is out of range; allowed [2, 16384] texels"},
+    {"SizeOne", scene("[lut.a]\nsize = 1\n"), ":5:8 [lut.a]: size = 1 is out of range; allowed [2, 16384] texels"},
     {"SizeHuge", scene("[lut.a]\nsize = 100000\n"),
-     ":5:8 [lut.a]: size = 100000 is out of range; allowed [2, 4096] texels"},
+     ":5:8 [lut.a]: size = 100000 is out of range; allowed [2, 16384] texels"},
     {"SizeNoPower", scene("[lut.a]\nsize = 100\n"),
-     ":5:8 [lut.a]: size = 100 is not a power of two; allowed 2, 4, 8 ... 4096 (engines rescale other sizes)"},
+     ":5:8 [lut.a]: size = 100 is not a power of two; allowed 2, 4, 8 ... 16384 (engines rescale other sizes)"},
     {"SizeNotWhole", scene("[lut.a]\nsize = 256.0\n"), ":5:8 [lut.a]: size = 256 is a number; give a whole number"},
+    {"SideTooLong", scene("[lut.a]\ny = { parameter = \"shape\", from = 0, to = 1 }\nsize = [16384, 64]\n"),
+     ":6:9 [lut.a]: size = 16384 is out of range; allowed [2, 4096] texels"},
     {"TwoSizesOneAxis", scene("[lut.a]\nsize = [64, 64]\n"),
      ":5:8 [lut.a]: size has two numbers, but there is no y axis; give one"},
     {"UnknownAxis", scene("[lut.a]\nx = \"cos\"\n"),
@@ -288,7 +290,7 @@ const std::vector<Mistakes> many_mistakes{
      "s.toml:11:9: unknown material \"Water\"; nearest: water; `nacre list materials` prints all; a .yml or .csv file "
      "is also allowed\n"
      "s.toml:12:16 [material.a]: thickness_nm = -1 is out of range; allowed [0, 1e+08] nm\n"
-     "s.toml:17:8 [lut.a]: size = 100 is not a power of two; allowed 2, 4, 8 ... 4096 (engines rescale other sizes)\n"
+     "s.toml:17:8 [lut.a]: size = 100 is not a power of two; allowed 2, 4, 8 ... 16384 (engines rescale other sizes)\n"
      "s.toml:18:10 [lut.a]: unknown format \"double\"; known: half, float\n"
      "s.toml:20:12 [lut.c]: unknown material \"c\"; known: a, b\n"
      "s.toml:22:8 [swatch.s]: unknown swatch \"cube\"; known: plane, palette, strip, sphere, bubble, disc, puddle, "

@@ -21,7 +21,7 @@ namespace nacre {
 namespace {
 
 constexpr std::string_view prefix = "nacre:";
-constexpr int largest_stored_side = largest_lut_size;
+constexpr int largest_stored_side = widest_lut_size;
 
 OIIO::ImageSpec make_spec(const Image<Rgb>& image, PixelFormat format, const LutHeader& header) {
     OIIO::ImageSpec spec(image.width(), image.height(), 3,

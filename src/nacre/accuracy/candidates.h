@@ -20,8 +20,8 @@ struct Candidate {
 
 /// Whatever a request leaves open, by bytes; of equals the one in half first.
 ///
-/// Sides are powers of two up to largest_lut_size; what the request gives is taken as it is, and if that is every side,
-/// at any number of texels.
+/// Sides are powers of two up to largest_lut_size, over one axis up to widest_lut_size; what the request gives is taken
+/// as it is, and if that is every side, at any number of texels.
 /// @param narrowest,lowest  least width and height
 /// @param fewest,most       texels in all
 std::vector<Candidate> candidates_from(const AccuracyRequest& request, bool is_2d, int narrowest, int lowest,

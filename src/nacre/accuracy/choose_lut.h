@@ -33,7 +33,8 @@ struct ChosenLut {
 };
 
 /// Chooses the cheapest LUT that errs by no more than the request allows: the fewest bytes; of equals the one in half,
-/// which every engine reads. Sizes are powers of two up to largest_lut_size; in 2D, up to Effort::most_texels() in all.
+/// which every engine reads. Sizes are powers of two up to widest_lut_size; in 2D up to largest_lut_size, and
+/// Effort::most_texels() in all.
 ///
 /// Every candidate is baked and held against the model between its texels until one fits; those too small fail at once,
 /// because the place where the last one failed is tried first. If none fits, the result is the best there is (in 2D, of

@@ -88,10 +88,11 @@ bool jumps_near(const LutSearch& search, LutPoint at) {
     job.sampling.nodes.fill(job.sampling.nodes.back());
     const double scale = search.survey.scale;
     Sampler sampler(job);
-    double left = std::max(at.x - 1.0 / largest_lut_size, 0.0);
-    double low = std::max(at.y - 1.0 / largest_lut_size, 0.0);
-    double width = std::min(at.x + 1.0 / largest_lut_size, 1.0) - left;
-    double height = job.y ? std::min(at.y + 1.0 / largest_lut_size, 1.0) - low : 0.0;
+    const double texel = 1.0 / (job.y ? largest_lut_size : widest_lut_size);
+    double left = std::max(at.x - texel, 0.0);
+    double low = std::max(at.y - texel, 0.0);
+    double width = std::min(at.x + texel, 1.0) - left;
+    double height = job.y ? std::min(at.y + texel, 1.0) - low : 0.0;
     double change = 0.0;
     for (int i = 0; i < halvings; ++i) {
         width *= 0.5;

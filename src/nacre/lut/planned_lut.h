@@ -59,7 +59,11 @@ inline constexpr Allowed allowed_max_de00{1e-5, 100.0};
 inline constexpr int usual_lut_width = 256;
 inline constexpr int usual_lut_height = 64;
 
-/// The longest side of a LUT, in texels.
+/// The longest side of a LUT over two axes, in texels: every device takes it that is made for pictures like that.
 inline constexpr int largest_lut_size = 4096;
+
+/// The longest LUT over one axis: Direct3D since its feature level 11.0 guarantees so many texels, and what Vulkan and
+/// Metal run on at a desk has as many. OpenGL ES 3 and Vulkan guarantee less, 2048 and 4096.
+inline constexpr int widest_lut_size = 16384;
 
 }  // namespace nacre

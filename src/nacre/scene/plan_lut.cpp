@@ -17,7 +17,8 @@
 namespace nacre {
 namespace {
 
-constexpr Allowed allowed_size{2, largest_lut_size, "texels"};
+constexpr Allowed allowed_width{2, widest_lut_size, "texels"};
+constexpr Allowed allowed_side{2, largest_lut_size, "texels"};
 // Chosen: well below the 255 bytes of file systems, with room for suffixes.
 constexpr std::size_t longest_name = 100;
 
@@ -43,12 +44,12 @@ FixedKey fixed_key(Quantity quantity) {
     return {"angle_deg", {0.0, 90.0, "degrees"}, from_degrees};
 }
 
-int checked_size(const Table& table, std::string_view key, const Value& value) {
-    const int size = table.checked_integer(key, value, allowed_size);
+int checked_size(const Table& table, std::string_view key, const Value& value, const Allowed& allowed) {
+    const int size = table.checked_integer(key, value, allowed);
     if ((size & (size - 1)) != 0) {
         table.fail(value.where, std::string(key) + " = " + std::to_string(size) +
-                                    " is not a power of two; allowed 2, 4, 8 ... " + std::to_string(largest_lut_size) +
-                                    " (engines rescale other sizes)");
+                                    " is not a power of two; allowed 2, 4, 8 ... " +
+                                    std::to_string(static_cast<int>(allowed.high)) + " (engines rescale other sizes)");
     }
     return size;
 }
@@ -182,12 +183,13 @@ void check_name(const std::string& name, const Table& table, const Where& where)
 LutSize read_lut_size(const Table& table) {
     const Value* value = table.find("size");
     if (value == nullptr) return {};
-    if (!std::holds_alternative<Value::Array>(value->data)) return {checked_size(table, "size", *value), std::nullopt};
+    if (!std::holds_alternative<Value::Array>(value->data))
+        return {checked_size(table, "size", *value, allowed_width), std::nullopt};
     const Value::Array& sides = table.checked_array("size", *value);
     if (sides.size() != 2) {
         table.fail(value->where, "size has " + std::to_string(sides.size()) + " numbers; give one, or [width, height]");
     }
-    return {checked_size(table, "size", sides[0]), checked_size(table, "size", sides[1])};
+    return {checked_size(table, "size", sides[0], allowed_side), checked_size(table, "size", sides[1], allowed_side)};
 }
 
 void take_request(const AccuracyRequest& request, PlannedLut& lut) {

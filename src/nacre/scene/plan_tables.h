@@ -19,7 +19,8 @@ namespace nacre {
 /// @param parent  the table that holds the name, for the message
 void check_name(const std::string& name, const Table& parent, const Where& where);
 
-/// `size`: a number, or [width, height] where there are two axes. Powers of two, 2 ... largest_lut_size.
+/// `size`: a number, or [width, height] where there are two axes. Powers of two, 2 ... largest_lut_size;
+/// one number up to widest_lut_size.
 struct LutSize {
     std::optional<int> width;
     std::optional<int> height;

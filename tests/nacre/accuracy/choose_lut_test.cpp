@@ -60,7 +60,7 @@ Choice choice_of(const ChosenLut& chosen) {
 std::vector<Choice> cheaper_than(const Choice& choice, bool is_2d, const AccuracyRequest& request) {
     const std::int64_t bytes = bytes_of(choice.width, choice.height, choice.format);
     std::vector<Choice> cheaper;
-    for (int width = 2; width <= largest_lut_size; width *= 2) {
+    for (int width = 2; width <= (is_2d ? largest_lut_size : widest_lut_size); width *= 2) {
         for (int height = is_2d ? 2 : 1; height <= (is_2d ? largest_lut_size : 1); height *= 2) {
             for (const PixelFormat format : {half, single}) {
                 if (request.width && width != *request.width) continue;
@@ -139,7 +139,7 @@ TEST(ChooseLut, OverAPlaneTakesTheFewestBytes) {
 
 TEST(ChooseLut, NeverTakesMoreBytesForALooserBound) {
     for (const Palette& palette : {test::morpho, test::beetle, test::opal}) {
-        std::int64_t last = bytes_of(4096, 1, single);
+        std::int64_t last = bytes_of(16384, 1, single);
         for (const double bound : {0.005, 0.007, 0.01, 0.02, 0.03, 0.05, 0.07, 0.1, 0.2, 0.5, 1.0, 3.0, 10.0, 100.0}) {
             const ChosenLut chosen = choose_lut(requested_lut(test::job_of(palette), bound), encoding);
             EXPECT_LE(bytes_of(chosen), last) << bound;
@@ -293,11 +293,11 @@ TEST(ChooseLut, ThatWavelengthsCannotReachSaysWhatTheyCost) {
 TEST(ChooseLut, ThatNoSizeReachesSaysThatThereIsNone) {
     const ChosenLut chosen = choose_lut(requested_lut(on_axis(test::job_of(test::opal), "cos_theta"), 5e-5), encoding);
     EXPECT_FALSE(chosen.is_reached);
-    EXPECT_EQ(chosen.lut.job.width, 4096) << "the best there is";
+    EXPECT_EQ(chosen.lut.job.width, 16384) << "the best there is";
     EXPECT_EQ(chosen.lut.format, single);
-    EXPECT_EQ(chosen.limiting_factor, "interpolation between 4096 x 1 texels costs " +
+    EXPECT_EQ(chosen.limiting_factor, "interpolation between 16384 x 1 texels costs " +
                                           two_digits(chosen.predicted.interpolation) +
-                                          ", and 4096 texels are the most that nacre tries: give a larger bound");
+                                          ", and 16384 texels are the most that nacre tries: give a larger bound");
 }
 
 TEST(ChooseLut, WithoutAWayBackToXyzRefusesABoundAndElseTakesDefaults) {

@@ -78,8 +78,8 @@ ChosenLut explain_lut(const LutSearch& search, FoundLut found, Work work) {
     if (!result.is_reached) {
         const std::int64_t most = survey.is_2d() ? survey.effort.most_texels() : std::int64_t{widest_lut_size};
         const double lost = lost_by_space(search, job, work);
-        result.limiting_factor =
-            limiting_factor(result, SearchEnd{lost, survey.effort.is_spent(work), static_cast<int>(most), found.jump});
+        const bool is_spent = !survey.curve && survey.effort.is_spent(work);
+        result.limiting_factor = limiting_factor(result, SearchEnd{lost, is_spent, static_cast<int>(most), found.jump});
     }
     result.work = work;
     return result;

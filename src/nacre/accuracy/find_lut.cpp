@@ -45,8 +45,9 @@ constexpr std::int64_t most_for_the_best = 1 << 20;
 // An error that is so little larger than another is as good.
 constexpr double as_good = 1.05;
 
+// On a curve of the colours a size costs next to nothing to try, whatever the curve took.
 bool is_spent(const LutSearch& search, const Work& work) {
-    return search.survey.effort.is_spent(work);
+    return !search.survey.curve && search.survey.effort.is_spent(work);
 }
 
 std::shared_ptr<Trial> trial_of(const LutSearch& search, Job job, const Candidate& candidate, double scale,

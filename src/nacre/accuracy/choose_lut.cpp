@@ -30,6 +30,7 @@ ChosenLut choose_without_errors(const PlannedLut& lut, const AfterRow& after_ste
     ChosenLut result;
     LutSurvey survey = survey_lut(lut, false, {}, after_step, result.work);
     result.lut = std::move(survey.lut);
+    result.lut.job.sampling.kept = nullptr;
     result.effects = std::move(survey.effects);
     result.predicted = survey.known;
     result.is_reached = false;

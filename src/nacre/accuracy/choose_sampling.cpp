@@ -93,6 +93,7 @@ ChosenSampling choose_sampling(const Job& job, const SamplingTolerance& toleranc
     const EffectSet named = effects_in(job);
     ChosenSampling chosen;
     chosen.without = job.without;
+    chosen.sampling.kept = job.sampling.kept;
     if (!samples_spectra(job.material.mechanism) && named.is_empty()) return chosen;
 
     const Probes probes = make_probes(job, after_step, request.nodes);

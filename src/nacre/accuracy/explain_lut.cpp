@@ -61,6 +61,7 @@ ChosenLut explain_lut(const LutSearch& search, FoundLut found, Work work) {
     const LutSurvey& survey = search.survey;
     ChosenLut result;
     result.lut = survey.lut;
+    result.lut.job.sampling.kept = nullptr;
     result.lut.job.width = found.candidate.width;
     result.lut.job.height = found.candidate.height;
     result.lut.format = found.candidate.format;

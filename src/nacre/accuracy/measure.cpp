@@ -149,8 +149,8 @@ double largest_difference(const Image<Xyz>& one, const Image<Xyz>& other, double
 }
 
 // What the bake's own model is from the truth, the largest at the points judged.
-double error_of_model(const ChosenLut& chosen, const Judged& judged, const Encoding& encoding, double scale) {
-    Sampler sampler(chosen.lut.job);
+double error_of_model(const Job& job, const Judged& judged, const Encoding& encoding, double scale) {
+    Sampler sampler(job);
     const Image<Xyz> model =
         colours_of(judged.points, encoding, [&](LutPoint point) { return sampler.at(point.x, point.y); });
     return largest_difference(model, judged.truth, scale);
@@ -192,7 +192,8 @@ Measured measure(const Job& job, const Image<Rgb>& stored, const Encoding& encod
 
 Measured measure(const ChosenLut& chosen, const Image<Xyz>& texels, const Image<Rgb>& stored,
                  const Encoding& encoding) {
-    const Job& job = chosen.lut.job;
+    Job job = chosen.lut.job;
+    job.sampling.kept = std::make_shared<KeptSolvers>();
     const Judged judged = judge(job, encoding, chosen.worst, tolerance_of_reference(chosen.lut.request.max_de00));
     Measured measured = compare(judged, stored, encoding);
     measured.model_points = chosen.model_points;
@@ -204,7 +205,7 @@ Measured measure(const ChosenLut& chosen, const Image<Xyz>& texels, const Image<
             std::max(of_fetches / share_found_by_scan(job), error_of_storage(texels, stored, encoding, measured.scale));
         measured.model_points = points.size() + texels.size();
     }
-    measured.of_model = std::max(error_of_model(chosen, judged, encoding, measured.scale), chosen.of_nodes);
+    measured.of_model = std::max(error_of_model(job, judged, encoding, measured.scale), chosen.of_nodes);
     // The scene's own wavelengths are no model of the truth: what they err by was found by the true integral.
     const bool is_sampled = job.light->settings.wavelengths.has_value();
     const double in_all = is_sampled ? chosen.predicted.total : measured.of_texels + measured.of_model;

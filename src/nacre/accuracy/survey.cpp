@@ -106,6 +106,7 @@ LutSurvey survey_lut(const PlannedLut& lut, bool can_judge, const Care& care, co
     survey.lut = lut;
     survey.share_of_texels = care.share_of_texels;
     survey.nodes = std::make_shared<NodeMaker>(lut.job.light->weights);
+    survey.lut.job.sampling.kept = std::make_shared<KeptSolvers>();
     choose_sampling_of(survey, can_judge, care, after_step, work);
     if (!can_judge) return survey;
     const Job& job = survey.lut.job;

@@ -1,6 +1,7 @@
 #include "nacre/base/gauss_points.h"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <cmath>
 #include <cstddef>
@@ -36,32 +37,60 @@ double normal_weight(double x, int count) {
     return 1.0 / sum;
 }
 
+// Some roots of a Legendre polynomial by Newton's method, side by side: one alone waits for a division at every degree.
+struct Roots {
+    static constexpr std::size_t lanes = 8;
+    std::array<double, lanes> x{};
+    std::array<double, lanes> slope{};
+    std::array<bool, lanes> is_found{};
+
+    // Returns whether there is more to do for the first `used`.
+    bool step(int count, std::size_t used) {
+        std::array<double, lanes> before{};
+        std::array<double, lanes> last{};
+        last.fill(1.0);
+        for (int degree = 1; degree <= count; ++degree) {
+            for (std::size_t lane = 0; lane < lanes; ++lane) {
+                const double next = ((2 * degree - 1) * x[lane] * last[lane] - (degree - 1) * before[lane]) / degree;
+                before[lane] = last[lane];
+                last[lane] = next;
+            }
+        }
+        bool is_more = false;
+        for (std::size_t lane = 0; lane < used; ++lane) {
+            if (is_found[lane]) continue;
+            slope[lane] = count * (before[lane] - x[lane] * last[lane]) / ((1.0 - x[lane]) * (1.0 + x[lane]));
+            const double change = last[lane] / slope[lane];
+            x[lane] -= change;
+            is_found[lane] = !(std::abs(change) > 1e-15);
+            is_more = is_more || !is_found[lane];
+        }
+        return is_more;
+    }
+};
+
 }  // namespace
 
 std::vector<GaussPoint> gauss_legendre(int count) {
     assert(count >= 1);
     std::vector<GaussPoint> points(static_cast<std::size_t>(count));
-    for (int i = 0; i < (count + 1) / 2; ++i) {
+    const int half = (count + 1) / 2;
+    for (int first = 0; first < half; first += static_cast<int>(Roots::lanes)) {
+        Roots roots;
         // Tricomi's estimate, from which Newton's method needs two to four steps.
-        double x = std::cos(std::numbers::pi * (i + 0.75) / (count + 0.5));
-        double slope = 1.0;
-        double change = 1.0;
-        for (int step = 0; step < 10 && std::abs(change) > 1e-15; ++step) {
-            double before = 0.0;
-            double last = 1.0;
-            for (int degree = 1; degree <= count; ++degree) {
-                const double next = ((2 * degree - 1) * x * last - (degree - 1) * before) / degree;
-                before = last;
-                last = next;
-            }
-            slope = count * (before - x * last) / ((1.0 - x) * (1.0 + x));
-            change = last / slope;
-            x -= change;
+        for (std::size_t lane = 0; lane < Roots::lanes; ++lane)
+            roots.x[lane] = std::cos(std::numbers::pi * (first + static_cast<double>(lane) + 0.75) / (count + 0.5));
+        const int lanes = std::min(half - first, static_cast<int>(Roots::lanes));
+        for (int step = 0; step < 10 && roots.step(count, static_cast<std::size_t>(lanes)); ++step) {
         }
-        if (2 * i + 1 == count) x = 0.0;
-        const double weight = 2.0 / ((1.0 - x) * (1.0 + x) * slope * slope);
-        points[static_cast<std::size_t>(i)] = {-x, weight};
-        points[static_cast<std::size_t>(count - 1 - i)] = {x, weight};
+        for (int lane = 0; lane < lanes; ++lane) {
+            const int i = first + lane;
+            const double slope = roots.slope[static_cast<std::size_t>(lane)];
+            const double x = 2 * i + 1 == count ? 0.0 : roots.x[static_cast<std::size_t>(lane)];
+            const double weight = 2.0 / ((1.0 - x) * (1.0 + x) * slope * slope);
+            points[static_cast<std::size_t>(i)] = {-x, weight};
+            points[static_cast<std::size_t>(count - 1 - i)] = {x, weight};
+        }
     }
     return points;
 }

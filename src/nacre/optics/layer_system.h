@@ -39,6 +39,7 @@ struct LayerSystem {
     int substrate = 0;             ///< medium behind the last layer
 
     RefractiveIndex index_at(int medium, double wavelength_nm) const;
+    friend bool operator==(const LayerSystem&, const LayerSystem&) = default;
 };
 
 /// Layers after all repeats. Counts in double, so that no repeat overflows.

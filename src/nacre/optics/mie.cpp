@@ -10,10 +10,19 @@ namespace {
 
 using Complex = std::complex<double>;
 
-// How far above the highest wanted order, or |z| if that is higher, a downward recurrence starts with a wrong ratio: by
-// the Airy limit of the Bessel functions (Abramowitz & Stegun 9.3.23) the error then falls below 1e-18.
-int start_of_downward(double highest) {
-    return static_cast<int>(highest + 8.0 * std::cbrt(highest)) + 16;
+// Where a downward recurrence starts with a wrong ratio, so that the error falls below 1e-18 on the way to `terms`. Far
+// above |z| a ratio is at most |z| / (2 n + 3 - |z|), and an error shrinks by its square at every step; in any case
+// enough are the orders of the Airy limit of the Bessel functions (Abramowitz & Stegun 9.3.23).
+int start_of_downward(int terms, double size) {
+    const double highest = std::max(static_cast<double>(terms), size);
+    const int enough = static_cast<int>(highest + 8.0 * std::cbrt(highest)) + 16;
+    if (size > terms) return enough;
+    int order = terms;
+    for (double error = 1.0; error > 1e-18 && order < enough; ++order) {
+        const double ratio = size / (2.0 * order + 3.0 - size);
+        error *= ratio * ratio;
+    }
+    return order;
 }
 
 double reciprocal(double w) {
@@ -33,7 +42,7 @@ std::vector<Value> riccati_ratios(Value z, int terms) {
     const Value one_by_z = reciprocal(z);
     std::vector<Value> ratios(static_cast<std::size_t>(terms) + 1);
     Value ratio{};
-    for (int n = start_of_downward(std::max(static_cast<double>(terms), std::abs(z))); n >= 0; --n) {
+    for (int n = start_of_downward(terms, std::abs(z)); n >= 0; --n) {
         ratio = reciprocal((2.0 * n + 3.0) * one_by_z - ratio);
         if (n <= terms) ratios[static_cast<std::size_t>(n)] = ratio;
     }
@@ -119,6 +128,8 @@ MieSphere mie_sphere(double x, Complex m) {
     // part.
     const Complex contrast(((1.0 - m) * (1.0 + m) * one_by_m * one_by_m).real(),
                            2.0 * one_by_m.real() * one_by_m.imag());
+    sphere.a.reserve(static_cast<std::size_t>(terms));
+    sphere.b.reserve(static_cast<std::size_t>(terms));
     for (int n = 1; n <= terms; ++n) {
         const auto at = static_cast<std::size_t>(n);
         const Multipole electric = multipole(bessel, at, (n + 1.0) / x * contrast - ratios[at] * one_by_m);

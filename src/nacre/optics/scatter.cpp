@@ -131,21 +131,52 @@ void ScatterSolver::prepare_spheres(RefractiveIndex relative, Light& light) {
     }
 }
 
-// What order leaves of scattering: its integral over all directions, in place of the sum over particles.
+// The mean particle's series: what the particles' waves have in common.
+MieSphere ScatterSolver::mean_sphere(const Light& light) const {
+    MieSphere mean;
+    for (std::size_t i = 0; i < sizes_.size(); ++i) {
+        const MieSphere& sphere = light.spheres[i];
+        mean.a.resize(std::max(mean.a.size(), sphere.a.size()));
+        mean.b.resize(mean.a.size());
+        for (std::size_t n = 0; n < sphere.a.size(); ++n) {
+            mean.a[n] += sizes_[i].per_nm3 * sphere.a[n];
+            mean.b[n] += sizes_[i].per_nm3 * sphere.b[n];
+        }
+    }
+    return mean;
+}
+
+// What order adds to scattering, or takes: its integral over all directions. It touches only what the waves have in
+// common, so that one series per wavelength does.
 void ScatterSolver::integrate_order() {
     double largest_wave_number = 0.0;
     for (const Light& light : lights_) largest_wave_number = std::max(largest_wave_number, light.wave_number);
     const int count = points_over_angles(most_terms_, 0.5 * largest_wave_number * hard_diameter_nm_, hard_fraction_);
-    std::vector<double> scattered(lights_.size());
+    double particles = 0.0;
+    for (const Size& size : sizes_) particles += size.per_nm3;
+    std::vector<MieSphere> means;
+    for (const Light& light : lights_) means.push_back(mean_sphere(light));
+    std::vector<double> added(lights_.size());
     for (const GaussPoint& point : gauss_legendre(count)) {
         const AngularFunctions angles = angular_functions(point.at, most_terms_);
         for (std::size_t i = 0; i < lights_.size(); ++i) {
-            const Intensity at = intensity(lights_[i], point.at, angles);
-            scattered[i] += point.weight * pi * (at.s + at.p);
+            const ScatteringAmplitudes mean = mie_amplitudes(means[i], angles);
+            const double common = (std::norm(mean.s1) + std::norm(mean.s2)) / particles;
+            added[i] += point.weight * pi * common * order_less_one(lights_[i], point.at);
         }
     }
-    for (std::size_t i = 0; i < lights_.size(); ++i)
-        lights_[i].scattered_per_nm = scattered[i] / lights_[i].wave_number / lights_[i].wave_number;
+    for (std::size_t i = 0; i < lights_.size(); ++i) {
+        Light& light = lights_[i];
+        light.scattered_per_nm =
+            std::max(light.scattered_per_nm + added[i] / light.wave_number / light.wave_number, 0.0);
+    }
+}
+
+// The structure factor less 1.
+double ScatterSolver::order_less_one(const Light& light, double cos_scatter) const {
+    const double half_sine = std::sqrt(std::max(0.5 * (1.0 - cos_scatter), 0.0));  // sin(angle / 2)
+    const double q_diameter = 2.0 * light.wave_number * half_sine * hard_diameter_nm_;
+    return hard_sphere_structure_factor(hard_fraction_, q_diameter) - 1.0;
 }
 
 ScatterSolver::Intensity ScatterSolver::intensity(const Light& light, double cos_scatter,
@@ -165,9 +196,7 @@ ScatterSolver::Intensity ScatterSolver::intensity(const Light& light, double cos
         count += weight;
     }
     if (model_ == ScatterModel::mie) return sum;
-    const double half_sine = std::sqrt(std::max(0.5 * (1.0 - cos_scatter), 0.0));  // sin(angle / 2)
-    const double q_diameter = 2.0 * light.wave_number * half_sine * hard_diameter_nm_;
-    const double order = hard_sphere_structure_factor(hard_fraction_, q_diameter) - 1.0;
+    const double order = order_less_one(light, cos_scatter);
     // By Cauchy and Schwarz the coherent part is at most all of it, and order at least -1: but for rounding.
     return {std::max(sum.s + std::norm(coherent_s) / count * order, 0.0),
             std::max(sum.p + std::norm(coherent_p) / count * order, 0.0)};

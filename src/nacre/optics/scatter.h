@@ -96,7 +96,9 @@ private:
     static std::vector<Size> size_classes(const Scatter& scatter, int sizes);
     static void prepare_dipoles(const Scatter& scatter, RefractiveIndex relative, Light& light);
     void prepare_spheres(RefractiveIndex relative, Light& light);
+    MieSphere mean_sphere(const Light& light) const;
     void integrate_order();
+    double order_less_one(const Light& light, double cos_scatter) const;
     Intensity intensity(const Light& light, double cos_scatter, const AngularFunctions& angles) const;
     friend double largest_size_parameter(const Scatter& scatter, double wavelength_nm, int sizes);
 

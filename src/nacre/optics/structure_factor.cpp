@@ -14,20 +14,21 @@ using Complex = std::complex<double>;
 std::array<Complex, 3> moments(double u) {
     if (u < 1.0) {  // powers of i u: below, nothing cancels
         std::array<Complex, 3> sums{};
-        Complex term = 1.0;  // (i u)^j / j!
-        for (int j = 0; j < 20; ++j) {
-            sums[0] += term / (j + 1.0);
-            sums[1] += term / (j + 2.0);
-            sums[2] += term / (j + 3.0);
-            term *= Complex(0.0, u / (j + 1.0));
+        double term = 1.0;  // u^j / j!; i^j is 1, i, -1, -i
+        for (int j = 0; j < 20 && term > 1e-18; ++j) {
+            const double signed_term = j % 4 < 2 ? term : -term;
+            const Complex part = j % 2 == 0 ? Complex(signed_term, 0.0) : Complex(0.0, signed_term);
+            for (std::size_t k = 0; k < sums.size(); ++k) sums[k] += part / (j + 1.0 + static_cast<double>(k));
+            term *= u / (j + 1.0);
         }
         return sums;
     }
     const Complex wave(std::cos(u), std::sin(u));
-    const Complex by_iu(0.0, -1.0 / u);
-    const Complex zeroth = (wave - 1.0) * by_iu;
-    const Complex first = (wave - zeroth) * by_iu;
-    return {zeroth, first, (wave - 2.0 * first) * by_iu};
+    const double by_u = 1.0 / u;
+    const auto by_iu = [&](const Complex& value) { return Complex(value.imag() * by_u, -value.real() * by_u); };
+    const Complex zeroth = by_iu(wave - 1.0);
+    const Complex first = by_iu(wave - zeroth);
+    return {zeroth, first, by_iu(wave - 2.0 * first)};
 }
 
 }  // namespace

@@ -160,19 +160,22 @@ LayeredColour::LayeredColour(const Mechanism& mechanism, SpectralSampling sampli
 
 LayeredColour::Band& LayeredColour::band_at(std::size_t index, Work* work) {
     Band& band = bands_[index];
-    if (!band.solvers.empty()) return band;
-    const SpectralNodes& nodes = *sampling_.nodes[index];
-    for (const LayerSystem& system : ensemble_.systems) band.solvers.emplace_back(system, nodes.wavelength_nm);
+    if (band.solvers != nullptr) return band;
+    const Nodes& nodes = sampling_.nodes[index];
+    for (std::size_t other = 0; other < bands_.size(); ++other) {
+        if (sampling_.nodes[other] == nodes && bands_[other].solvers != nullptr) band.solvers = bands_[other].solvers;
+    }
+    if (band.solvers == nullptr) band.solvers = layer_solvers(sampling_.kept.get(), ensemble_.systems, nodes);
     if (const Base* base = diffuse_base(effects_))
-        band.base_factors = base_factors(*base, ensemble_, nodes.wavelength_nm, sampling_.base_directions, work);
+        band.base_factors = base_factors(*base, ensemble_, nodes->wavelength_nm, sampling_.base_directions, work);
     return band;
 }
 
 Xyz LayeredColour::with_base(const Band& band, const SpectralNodes& nodes, const Incidence& incidence) const {
     std::vector<Response> responses(nodes.wavelength_nm.size());
     Xyz sum;
-    for (std::size_t member = 0; member < band.solvers.size(); ++member) {
-        band.solvers[member].responses(incidence, responses);
+    for (std::size_t member = 0; member < band.solvers->size(); ++member) {
+        (*band.solvers)[member].responses(incidence, responses);
         const double share = ensemble_.shares[member];
         for (std::size_t i = 0; i < responses.size(); ++i) {
             const double seen = share * (reflectance_of(responses[i], effects_.polarisation) +
@@ -191,8 +194,8 @@ Xyz LayeredColour::at(const Incidence& incidence, Work* work) {
     if (!band.base_factors.empty()) {
         sum = with_base(band, nodes, incidence);
     } else {
-        for (std::size_t member = 0; member < band.solvers.size(); ++member) {
-            const auto [x, y, z] = band.solvers[member].weighted(
+        for (std::size_t member = 0; member < band.solvers->size(); ++member) {
+            const auto [x, y, z] = (*band.solvers)[member].weighted(
                 incidence, {nodes.x.data(), nodes.y.data(), nodes.z.data()}, effects_.observed, effects_.polarisation);
             const double share = ensemble_.shares[member];
             sum = {sum.x + share * x, sum.y + share * y, sum.z + share * z};

@@ -52,8 +52,8 @@ public:
 
 private:
     struct Band {
-        std::vector<MultilayerSolver> solvers;  // one per system; none: not asked for yet
-        std::vector<double> base_factors;       // per node; none: no diffuse base
+        Solvers solvers;                   // one per system; null: not asked for yet
+        std::vector<double> base_factors;  // per node; none: no diffuse base
     };
     Band& band_at(std::size_t index, Work* work);
     Xyz with_base(const Band& band, const SpectralNodes& nodes, const Incidence& incidence) const;

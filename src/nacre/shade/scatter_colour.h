@@ -24,7 +24,7 @@ public:
 
 private:
     std::shared_ptr<const SpectralNodes> nodes_;
-    ScatterSolver solver_;
+    std::shared_ptr<const ScatterSolver> solver_;
     Polarisation polarisation_;
     bool is_spread_;
     bool absorbs_;

@@ -12,6 +12,7 @@
 #include "nacre/optics/incidence.h"
 #include "nacre/optics/layer_system.h"
 #include "nacre/shade/facets.h"
+#include "nacre/shade/kept_solvers.h"
 #include "nacre/shade/work.h"
 
 namespace nacre {
@@ -47,6 +48,8 @@ struct SpectralSampling {
     /// Of a tilted surface: what one facet shows, before adaptation, with what its mean takes most time for; null: made
     /// when it is asked for.
     std::shared_ptr<const FacetColours> facets;
+    /// What was prepared for other colours, while a LUT is chosen or measured; null: nothing is kept.
+    std::shared_ptr<KeptSolvers> kept;
 
     bool is_decided() const { return nodes.front() != nullptr; }
     /// The nodes are 0 in all bands if not decided.

@@ -99,6 +99,7 @@ const Reference::Samples& Reference::samples(int cells) const {
     const LightSettings& light = job_.light->settings;
     for (int i = 0; i <= cells; ++i)
         made.nm.push_back(std::lerp(light.first_nm, light.last_nm, static_cast<double>(i) / cells));
+    for (std::size_t i = 1; i < made.nm.size(); i += 2) made.added.push_back(made.nm[i]);
     made.weights.resize(made.nm.size());
     Xyz weight_at_end = weight_at(made.nm.front());
     for (std::size_t i = 2; i < made.nm.size(); i += 2) {
@@ -134,16 +135,35 @@ double Reference::doubt(const Xyz& of_all, const Xyz& of_half) const {
     return difference_at(seen, adapt(adaptation_, of_half), display_scale(seen.y)) / (2.0 * tolerance_de00_);
 }
 
+namespace {
+
+// Every second value is of one, beginning and ending with the first.
+std::vector<double> merged(const std::vector<double>& known, const std::vector<double>& added) {
+    std::vector<double> all(known.size() + added.size());
+    for (std::size_t i = 0; i < known.size(); ++i) all[2 * i] = known[i];
+    for (std::size_t i = 0; i < added.size(); ++i) all[2 * i + 1] = added[i];
+    return all;
+}
+
+}  // namespace
+
+// Part by part, so that what was prepared for fewer cells serves for more.
+std::vector<double> Reference::values_at(int cells, int fewest, const Spectrum& spectrum) const {
+    if (cells == fewest) return spectrum(samples(cells).nm);
+    return merged(values_at(cells / 2, fewest, spectrum), spectrum(samples(cells).added));
+}
+
 // Lines that are narrower than the steps may agree by chance, but not twice.
-Xyz Reference::integral(double longest_step_nm, int& begin, const Spectrum& spectrum, int most_cells) const {
+Xyz Reference::integral(double longest_step_nm, int& begin, const Spectrum& spectrum, int most_cells,
+                        std::vector<double>* taken) const {
     constexpr double of_second_order = 4.0;
     constexpr double of_fourth_order = 16.0;
     const LightSettings& light = job_.light->settings;
     const int fewest = 8 * static_cast<int>(std::ceil(0.125 * (light.last_nm - light.first_nm) / longest_step_nm));
     int cells = fewest;
     while (cells < std::min(begin, most_cells)) cells *= 2;
-    for (;; cells *= 2) {
-        const std::vector<double> values = spectrum(samples(cells).nm);
+    std::vector<double> values = values_at(cells, fewest, spectrum);
+    for (;; cells *= 2, values = merged(values, spectrum(samples(cells).added))) {
         std::array<Xyz, 3> sums;  // of all, of every second and of every fourth
         for (std::size_t part = 0, step = 1; part < sums.size(); ++part, step *= 2) {
             const std::vector<Xyz>& weights = samples(cells / static_cast<int>(step)).weights;
@@ -152,6 +172,7 @@ Xyz Reference::integral(double longest_step_nm, int& begin, const Spectrum& spec
         const double left = std::max(doubt(sums[0], sums[1]), doubt(sums[1], sums[2]) / of_second_order);
         if (cells < most_cells && left > 1.0) continue;
         begin = cells > fewest && of_fourth_order * left < 1.0 ? cells / 2 : cells;
+        if (taken != nullptr) *taken = std::move(values);
         return sums[0];
     }
 }

@@ -40,8 +40,11 @@ private:
     /// Wavelengths at even steps, and what turns the values of a spectrum there into XYZ.
     struct Samples {
         std::vector<double> nm;
+        std::vector<double> added;  // those that half as many cells lack
         std::vector<Xyz> weights;
     };
+    /// @param nm  those of the fewest cells, or those that a number of cells adds: each number of them always means the
+    /// same ones
     using Spectrum = std::function<std::vector<double>(const std::vector<double>& nm)>;
     struct Layers;
     struct Lines;
@@ -60,10 +63,13 @@ private:
     void weigh(const std::vector<double>& measured_nm) const;
     Xyz measured(const MeasuredSpectra& spectra, const Incidence& incidence) const;
 
-    /// At twice as many wavelengths until the colour of half of them agrees.
+    /// At twice as many wavelengths until the colour of half of them agrees. Each is asked for once.
     /// @param begin  with so many cells, if steps are to be shorter; receives where to begin the next time
     /// @param most_cells  eight per fringe of the thickest layers that a scene may have
-    Xyz integral(double longest_step_nm, int& begin, const Spectrum& spectrum, int most_cells = 1 << 18) const;
+    /// @param taken  receives the values of the spectrum; null: nobody asks
+    Xyz integral(double longest_step_nm, int& begin, const Spectrum& spectrum, int most_cells = 1 << 18,
+                 std::vector<double>* taken = nullptr) const;
+    std::vector<double> values_at(int cells, int fewest, const Spectrum& spectrum) const;
     const Samples& samples(int cells) const;
     /// What half as many points change, over what they may.
     double doubt(const Xyz& of_all, const Xyz& of_half) const;

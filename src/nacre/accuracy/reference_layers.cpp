@@ -92,13 +92,14 @@ double value_at(const std::vector<double>& values, double share) {
 // With twice as many directions until the base's own colour agrees.
 std::vector<double> Reference::base_factors(const Base& base, const LayerEnsemble& layers) const {
     constexpr int most_directions = 512;
+    constexpr int most_cells = 1 << 18;
     ConfirmedLayers below(seen_from_below(layers));
     std::vector<double> factors;
     int cells = 0;
     Xyz half;
     for (int points = 8;; points *= 2) {
-        const Xyz all = integral(
-            4.0, cells, [&](const std::vector<double>& nm) { return factors = factors_of(base, below, nm, points); });
+        const auto spectrum = [&](const std::vector<double>& nm) { return factors_of(base, below, nm, points); };
+        const Xyz all = integral(4.0, cells, spectrum, most_cells, &factors);
         if (points >= most_directions || (points > 8 && !(doubt(all, half) > 1.0))) return factors;
         half = all;
     }
@@ -128,8 +129,9 @@ Xyz Reference::layered(const Mechanism& mechanism, const Incidence& incidence) c
         const std::vector<Response> responses = layers_->layers.at(incidence, nm);
         std::vector<double> seen(nm.size());
         for (std::size_t i = 0; i < seen.size(); ++i) seen[i] = observed_of(responses[i], observed, polarisation);
+        const LightSettings& light = job_.light->settings;
         for (std::size_t i = 0; i < seen.size() && !factors.empty(); ++i)
-            seen[i] += value_at(factors, static_cast<double>(i) / static_cast<double>(seen.size() - 1)) *
+            seen[i] += value_at(factors, (nm[i] - light.first_nm) / (light.last_nm - light.first_nm)) *
                        transmittance_of(responses[i], polarisation);
         return seen;
     });

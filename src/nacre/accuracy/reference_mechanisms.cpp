@@ -191,24 +191,13 @@ int sizes_of_reference(int radii) {
 struct Reference::Scattering {
     Scatter scatter;
     int sizes = 1;
-    std::map<std::size_t, ScatterSolver> parts{};  // by a grid's number of wavelengths: of those the next coarser lacks
-    int cells = 0;                                 // to begin with
+    std::map<std::size_t, ScatterSolver> solvers{};  // by the number of wavelengths
+    int cells = 0;                                   // to begin with
 
-    // What is seen at a grid's wavelengths. Mie's series, which take longest, are computed once for each.
-    std::vector<double> seen(std::vector<double> nm, double cos_scatter, Polarisation polarisation) {
-        constexpr std::size_t fewest_cells = 8;
-        const std::size_t cells_here = nm.size() - 1;
-        const bool is_halved = cells_here % 2 == 0 && cells_here > fewest_cells;
-        std::vector<double> coarser;
-        std::vector<double> finer;
-        for (std::size_t i = 0; i < nm.size(); ++i) (is_halved && i % 2 == 0 ? coarser : finer).push_back(nm[i]);
-        const ScatterSolver& solver = parts.try_emplace(nm.size(), scatter, finer, sizes).first->second;
-        std::vector<double> values(finer.size());
-        solver.seen(cos_scatter, polarisation, values);
-        if (!is_halved) return values;
-        const std::vector<double> others = seen(std::move(coarser), cos_scatter, polarisation);
-        for (std::size_t i = 0; i < nm.size(); ++i) nm[i] = i % 2 == 0 ? others[i / 2] : values[i / 2];
-        return nm;
+    std::vector<double> seen(const std::vector<double>& nm, double cos_scatter, Polarisation polarisation) {
+        std::vector<double> values(nm.size());
+        solvers.try_emplace(nm.size(), scatter, nm, sizes).first->second.seen(cos_scatter, polarisation, values);
+        return values;
     }
 };
 
@@ -234,7 +223,7 @@ void Reference::weigh(const std::vector<double>& measured_nm) const {
     std::vector<double> borders(measured_nm);
     borders.insert(borders.end(), kinks_nm_.begin(), kinks_nm_.end());
     std::sort(borders.begin(), borders.end());
-    measured_ = {measured_nm, std::vector<Xyz>(measured_nm.size())};
+    measured_ = {measured_nm, {}, std::vector<Xyz>(measured_nm.size())};
     for (std::size_t i = 1; i < borders.size(); ++i) {
         if (borders[i - 1] < light.first_nm || borders[i] > light.last_nm) continue;
         const auto above = std::upper_bound(measured_nm.begin() + 1, measured_nm.end() - 1, borders[i - 1]);

@@ -32,33 +32,32 @@ double reciprocal(double w) {
 Complex reciprocal(Complex w) {
     const double square = w.real() * w.real() + w.imag() * w.imag();
     if (square == 0.0) return 1e30;
-    return {w.real() / square, -w.imag() / square};
+    const double by_square = 1.0 / square;
+    return {w.real() * by_square, -w.imag() * by_square};
 }
 
 // psi_{n+1}(z) / psi_n(z) for n = 0 ... terms; psi_n(z) = z j_n(z). Downward, where psi is the dominant solution.
 // Imaginary parts of z and of all ratios are positive, so that small ones keep their digits.
 template <class Value>
-std::vector<Value> riccati_ratios(Value z, int terms) {
+void riccati_ratios(Value z, int terms, std::vector<Value>& ratios) {
     const Value one_by_z = reciprocal(z);
-    std::vector<Value> ratios(static_cast<std::size_t>(terms) + 1);
+    ratios.resize(static_cast<std::size_t>(terms) + 1);
     Value ratio{};
     for (int n = start_of_downward(terms, std::abs(z)); n >= 0; --n) {
         ratio = reciprocal((2.0 * n + 3.0) * one_by_z - ratio);
         if (n <= terms) ratios[static_cast<std::size_t>(n)] = ratio;
     }
-    return ratios;
 }
 
 // psi_n(x) = x j_n(x) and chi_n(x) = -x y_n(x) for n = 0 ... terms + 1, so that psi_n chi_{n+1} - psi_{n+1} chi_n = 1.
-struct RiccatiBessel {
-    std::vector<double> psi, chi;
-};
-RiccatiBessel riccati_bessel(double x, int terms) {
+void riccati_bessel(double x, int terms, MieRoom& room) {
     const auto count = static_cast<std::size_t>(terms) + 2;
-    const std::vector<double> ratios = riccati_ratios(x, terms);
-    RiccatiBessel bessel{std::vector<double>(count), std::vector<double>(count)};
-    std::vector<double>& psi = bessel.psi;
-    std::vector<double>& chi = bessel.chi;
+    riccati_ratios(x, terms, room.ratios);
+    const std::vector<double>& ratios = room.ratios;
+    std::vector<double>& psi = room.psi;
+    std::vector<double>& chi = room.chi;
+    psi.resize(count);
+    chi.resize(count);
     psi[0] = std::sin(x);
     chi[0] = std::cos(x);
     chi[1] = std::cos(x) / x + std::sin(x);
@@ -74,7 +73,6 @@ RiccatiBessel riccati_bessel(double x, int terms) {
         else
             psi[n + 1] = (2.0 * order + 1.0) / x * psi[n] - psi[n - 1];
     }
-    return bessel;
 }
 
 // A coefficient, and the part of the light in this multipole that is absorbed, Re(a) - |a|^2.
@@ -89,12 +87,14 @@ struct Multipole {
 //
 // so that what is equal in both terms for small x is not there to cancel. From the Wronskian follows
 // Re(a) - |a|^2 = -Im(load) / |p - i q|^2, exactly.
-Multipole multipole(const RiccatiBessel& bessel, std::size_t n, Complex load) {
-    const Complex p = bessel.psi[n + 1] + load * bessel.psi[n];
-    const Complex q = bessel.chi[n + 1] + load * bessel.chi[n];
+Multipole multipole(const MieRoom& room, std::size_t n, Complex load) {
+    const Complex p = room.psi[n + 1] + load * room.psi[n];
+    const Complex q = room.chi[n + 1] + load * room.chi[n];
     const Complex whole(p.real() + q.imag(), p.imag() - q.real());
-    const double size = std::norm(whole);
-    return {p * std::conj(whole) / size, std::norm(p) / size, std::max(-load.imag(), 0.0) / size};
+    const double by_size = 1.0 / std::norm(whole);
+    const Complex coefficient(p.real() * whole.real() + p.imag() * whole.imag(),
+                              p.imag() * whole.real() - p.real() * whole.imag());
+    return {coefficient * by_size, std::norm(p) * by_size, std::max(-load.imag(), 0.0) * by_size};
 }
 
 // Q_sca g x^2 / 4: Bohren & Huffman, section 4.5.
@@ -116,13 +116,23 @@ int mie_terms(double x) {
     return static_cast<int>(x + 6.0 * std::cbrt(x)) + 2;
 }
 
+double mie_asymmetry(const MieSphere& sphere, double x) {
+    return sphere.q_sca > 0.0 ? std::clamp(4.0 * directed(sphere) / (sphere.q_sca * x * x), -1.0, 1.0) : 0.0;
+}
+
 MieSphere mie_sphere(double x, Complex m) {
+    MieRoom room;
+    return mie_sphere(x, m, room);
+}
+
+MieSphere mie_sphere(double x, Complex m, MieRoom& room) {
     assert(x > 0.0 && m.real() >= 0.0 && m.imag() >= 0.0 && m != 0.0);
     MieSphere sphere;
     if (m == 1.0) return sphere;
     const int terms = mie_terms(x);
-    const RiccatiBessel bessel = riccati_bessel(x, terms);
-    const std::vector<Complex> ratios = riccati_ratios(m * x, terms);
+    riccati_bessel(x, terms, room);
+    riccati_ratios(m * x, terms, room.inner_ratios);
+    const std::vector<Complex>& ratios = room.inner_ratios;
     const Complex one_by_m = reciprocal(m);
     // 1 / m^2 - 1, either part by what keeps its digits: m is nearly 1, or so large that there is next to no imaginary
     // part.
@@ -132,14 +142,13 @@ MieSphere mie_sphere(double x, Complex m) {
     sphere.b.reserve(static_cast<std::size_t>(terms));
     for (int n = 1; n <= terms; ++n) {
         const auto at = static_cast<std::size_t>(n);
-        const Multipole electric = multipole(bessel, at, (n + 1.0) / x * contrast - ratios[at] * one_by_m);
-        const Multipole magnetic = multipole(bessel, at, -m * ratios[at]);
+        const Multipole electric = multipole(room, at, (n + 1.0) / x * contrast - ratios[at] * one_by_m);
+        const Multipole magnetic = multipole(room, at, -m * ratios[at]);
         sphere.a.push_back(electric.coefficient);
         sphere.b.push_back(magnetic.coefficient);
         sphere.q_sca += (2.0 * n + 1.0) * (electric.scattered + magnetic.scattered);
         sphere.q_abs += (2.0 * n + 1.0) * (electric.absorbed + magnetic.absorbed);
     }
-    if (sphere.q_sca > 0.0) sphere.g = std::clamp(2.0 * directed(sphere) / sphere.q_sca, -1.0, 1.0);
     sphere.q_sca *= 2.0 / x / x;
     sphere.q_abs *= 2.0 / x / x;
     sphere.q_ext = sphere.q_sca + sphere.q_abs;

@@ -14,7 +14,15 @@ struct MieSphere {
     double q_sca = 0.0;  ///< efficiency: cross-section over pi radius^2, >= 0
     double q_abs = 0.0;  ///< >= 0; 0 without absorption
     double q_ext = 0.0;  ///< their sum
-    double g = 0.0;      ///< mean cosine of the scattering angle, in [-1, 1]; 0 where nothing is scattered
+};
+
+/// The mean cosine of the scattering angle, in [-1, 1]; 0 where nothing is scattered. @param x  the sphere's size
+double mie_asymmetry(const MieSphere& sphere, double x);
+
+/// Where a sphere's functions are written down. Whoever computes many lends them the same.
+struct MieRoom {
+    std::vector<double> ratios, psi, chi;
+    std::vector<std::complex<double>> inner_ratios;
 };
 
 /// @param x  size parameter: 2 pi radius * index of the medium / vacuum wavelength, > 0
@@ -25,6 +33,7 @@ struct MieSphere {
 /// resonance (tests/nacre/optics/mie_test.cpp, in 50 digits). The time is proportional to x + |m| x: 1 us at x = 1, 1
 /// ms at 1e4.
 MieSphere mie_sphere(double x, std::complex<double> m);
+MieSphere mie_sphere(double x, std::complex<double> m, MieRoom& room);
 
 /// The number of coefficients of a sphere. Beyond it, |a_n| and |b_n| are about 1e-12: not only their squares,
 /// which Wiscombe 1980 (Applied Optics 19, 1505-1509) goes by with 4 cube roots of x instead of 6.

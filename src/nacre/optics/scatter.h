@@ -95,7 +95,7 @@ private:
 
     static std::vector<Size> size_classes(const Scatter& scatter, int sizes);
     static void prepare_dipoles(const Scatter& scatter, RefractiveIndex relative, Light& light);
-    void prepare_spheres(RefractiveIndex relative, Light& light);
+    void prepare_spheres(RefractiveIndex relative, Light& light, MieRoom& room);
     MieSphere mean_sphere(const Light& light) const;
     void integrate_order();
     double order_less_one(const Light& light, double cos_scatter) const;

@@ -45,8 +45,8 @@ std::vector<Response> ConfirmedLayers::at(const Incidence& incidence, const std:
     auto& solvers = solvers_[wavelengths_nm.size()];
     const bool are_kept = systems * wavelengths_nm.size() <= most_kept;
     const std::size_t looked_at = is_twin_short_ ? pick(systems) : systems;
-    std::vector<Response> mean(wavelengths_nm.size());
     std::vector<Response> one(wavelengths_nm.size());
+    std::vector<Response> mean(systems == 1 ? 0 : wavelengths_nm.size());
     for (std::size_t i = 0; i < systems; ++i) {
         const LayerSystem& system = ensemble_.systems[i];
         if (was_refuted_) {

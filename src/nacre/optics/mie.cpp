@@ -122,13 +122,17 @@ double mie_asymmetry(const MieSphere& sphere, double x) {
 
 MieSphere mie_sphere(double x, Complex m) {
     MieRoom room;
-    return mie_sphere(x, m, room);
+    MieSphere sphere;
+    mie_sphere(x, m, room, sphere);
+    return sphere;
 }
 
-MieSphere mie_sphere(double x, Complex m, MieRoom& room) {
+void mie_sphere(double x, Complex m, MieRoom& room, MieSphere& sphere) {
     assert(x > 0.0 && m.real() >= 0.0 && m.imag() >= 0.0 && m != 0.0);
-    MieSphere sphere;
-    if (m == 1.0) return sphere;
+    sphere.a.clear();
+    sphere.b.clear();
+    sphere.q_sca = sphere.q_abs = sphere.q_ext = 0.0;
+    if (m == 1.0) return;
     const int terms = mie_terms(x);
     riccati_bessel(x, terms, room);
     riccati_ratios(m * x, terms, room.inner_ratios);
@@ -152,7 +156,6 @@ MieSphere mie_sphere(double x, Complex m, MieRoom& room) {
     sphere.q_sca *= 2.0 / x / x;
     sphere.q_abs *= 2.0 / x / x;
     sphere.q_ext = sphere.q_sca + sphere.q_abs;
-    return sphere;
 }
 
 // Upward as in Wiscombe 1980, equations 24: pi_{n+1} = mu pi_n + (n + 1) / n (mu pi_n - pi_{n-1}),

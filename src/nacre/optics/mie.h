@@ -33,7 +33,8 @@ struct MieRoom {
 /// resonance (tests/nacre/optics/mie_test.cpp, in 50 digits). The time is proportional to x + |m| x: 1 us at x = 1, 1
 /// ms at 1e4.
 MieSphere mie_sphere(double x, std::complex<double> m);
-MieSphere mie_sphere(double x, std::complex<double> m, MieRoom& room);
+/// Into a sphere that was another one before.
+void mie_sphere(double x, std::complex<double> m, MieRoom& room, MieSphere& sphere);
 
 /// The number of coefficients of a sphere. Beyond it, |a_n| and |b_n| are about 1e-12: not only their squares,
 /// which Wiscombe 1980 (Applied Optics 19, 1505-1509) goes by with 4 cube roots of x instead of 6.

@@ -35,8 +35,8 @@ double hard_radius_nm(const Scatter& scatter) {
 // Points of a quadrature over angles of amplitudes times structure factor. The first are polynomials of a degree that
 // is twice their terms'; to the second the angles' spacing, times k diameter, must be small beside the distance of its
 // nearest pole from the real axis (0.27 at a fraction of 0.6, 1.4 at 0.3, 4.1 at 0.05; this is a bit less everywhere).
-// What is left is of the size of exp(-20). Of k diameter the waves of small spheres use a part, and need fewer (found by
-// comparing with three times as many: up to a size parameter of 2, 1e-13 is left everywhere).
+// What is left is of the size of exp(-20). Of k diameter the waves of small spheres use a part, and need fewer (found
+// by comparing with three times as many: up to a size parameter of 2, 1e-13 is left everywhere).
 int points_over_angles(int terms, double hard_size_parameter, double hard_fraction) {
     const double from_freezing = largest_hard_fraction - hard_fraction;
     const double pole_distance = 0.26 + 11.0 * from_freezing * from_freezing;
@@ -62,7 +62,7 @@ ScatterSolver::ScatterSolver(const Scatter& scatter, std::span<const double> wav
     : model_(scatter.model), lights_(wavelengths_nm.size()) {
     assert(scatter.radius_nm > 0.0 && scatter.volume_fraction > 0.0 && scatter.thickness_um > 0.0 && sizes >= 1);
     if (model_ != ScatterModel::rayleigh) sizes_ = size_classes(scatter, sizes);
-    MieRoom room;
+    Room room;
     for (std::size_t i = 0; i < lights_.size(); ++i) {
         Light& light = lights_[i];
         light.wave_number = wave_number_in_medium(scatter, wavelengths_nm[i]);
@@ -123,29 +123,39 @@ void ScatterSolver::prepare_dipoles(const Scatter& scatter, RefractiveIndex rela
     light.absorbed_per_nm = 4.0 * pi * area * spheres_per_nm3 * cube * absorbing;
 }
 
-void ScatterSolver::prepare_spheres(RefractiveIndex relative, Light& light, MieRoom& room) {
-    light.spheres.reserve(sizes_.size());
+void ScatterSolver::prepare_spheres(RefractiveIndex relative, Light& light, Room& room) {
+    MieSphere& sphere = room.sphere;
+    room.sums.clear();
+    room.differences.clear();
+    light.ends.reserve(sizes_.size());
     for (const Size& size : sizes_) {
-        light.spheres.push_back(mie_sphere(light.wave_number * size.radius_nm, relative, room));
-        const MieSphere& sphere = light.spheres.back();
+        mie_sphere(light.wave_number * size.radius_nm, relative, room.functions, sphere);
+        for (std::size_t n = 0; n < sphere.a.size(); ++n) {
+            room.sums.push_back(sphere.a[n] + sphere.b[n]);
+            room.differences.push_back(sphere.a[n] - sphere.b[n]);
+        }
+        light.ends.push_back(room.sums.size());
         const double area_per_nm = size.per_nm3 * pi * size.radius_nm * size.radius_nm;
         light.scattered_per_nm += area_per_nm * sphere.q_sca;
         light.absorbed_per_nm += area_per_nm * sphere.q_abs;
         most_terms_ = std::max(most_terms_, static_cast<int>(sphere.a.size()));
     }
+    light.sums = room.sums;
+    light.differences = room.differences;
 }
 
 // The mean particle's series: what the particles' waves have in common.
-MieSphere ScatterSolver::mean_sphere(const Light& light) const {
-    MieSphere mean;
+ScatterSolver::Light ScatterSolver::mean_sphere(const Light& light) const {
+    Light mean;
+    mean.sums.resize(static_cast<std::size_t>(most_terms_));
+    mean.differences.resize(mean.sums.size());
+    std::size_t begin = 0;
     for (std::size_t i = 0; i < sizes_.size(); ++i) {
-        const MieSphere& sphere = light.spheres[i];
-        mean.a.resize(std::max(mean.a.size(), sphere.a.size()));
-        mean.b.resize(mean.a.size());
-        for (std::size_t n = 0; n < sphere.a.size(); ++n) {
-            mean.a[n] += sizes_[i].per_nm3 * sphere.a[n];
-            mean.b[n] += sizes_[i].per_nm3 * sphere.b[n];
+        for (std::size_t n = 0; begin + n < light.ends[i]; ++n) {
+            mean.sums[n] += sizes_[i].per_nm3 * light.sums[begin + n];
+            mean.differences[n] += sizes_[i].per_nm3 * light.differences[begin + n];
         }
+        begin = light.ends[i];
     }
     return mean;
 }
@@ -158,13 +168,13 @@ void ScatterSolver::integrate_order() {
     const int count = points_over_angles(most_terms_, 0.5 * largest_wave_number * hard_diameter_nm_, hard_fraction_);
     double particles = 0.0;
     for (const Size& size : sizes_) particles += size.per_nm3;
-    std::vector<MieSphere> means;
+    std::vector<Light> means;
     for (const Light& light : lights_) means.push_back(mean_sphere(light));
     std::vector<double> added(lights_.size());
     for (const GaussPoint& point : gauss_legendre(count)) {
         const AngularFunctions angles = angular_functions(point.at, most_terms_);
         for (std::size_t i = 0; i < lights_.size(); ++i) {
-            const ScatteringAmplitudes mean = mie_amplitudes(means[i], angles);
+            const ScatteringAmplitudes mean = amplitudes(means[i], 0, means[i].sums.size(), angles);
             const double common = (std::norm(mean.s1) + std::norm(mean.s2)) / particles;
             added[i] += point.weight * pi * common * order_less_one(lights_[i], point.at);
         }
@@ -183,6 +193,18 @@ double ScatterSolver::order_less_one(const Light& light, double cos_scatter) con
     return hard_sphere_structure_factor(hard_fraction_, q_diameter) - 1.0;
 }
 
+// As mie_amplitudes(), of the size whose terms are there.
+ScatteringAmplitudes ScatterSolver::amplitudes(const Light& light, std::size_t begin, std::size_t end,
+                                               const AngularFunctions& angles) {
+    std::complex<double> sum;         // (S1 + S2) / 2
+    std::complex<double> difference;  // (S1 - S2) / 2
+    for (std::size_t i = begin; i < end; ++i) {
+        sum += light.sums[i] * angles.sum[i - begin];
+        difference += light.differences[i] * angles.difference[i - begin];
+    }
+    return {sum + difference, sum - difference};
+}
+
 ScatterSolver::Intensity ScatterSolver::intensity(const Light& light, double cos_scatter,
                                                   const AngularFunctions& angles) const {
     if (model_ == ScatterModel::rayleigh) return {light.dipole, light.dipole * cos_scatter * cos_scatter};
@@ -190,13 +212,15 @@ ScatterSolver::Intensity ScatterSolver::intensity(const Light& light, double cos
     std::complex<double> coherent_s;
     std::complex<double> coherent_p;
     double count = 0.0;
+    std::size_t begin = 0;
     for (std::size_t i = 0; i < sizes_.size(); ++i) {
-        const ScatteringAmplitudes amplitudes = mie_amplitudes(light.spheres[i], angles);
+        const ScatteringAmplitudes at = amplitudes(light, begin, light.ends[i], angles);
+        begin = light.ends[i];
         const double weight = sizes_[i].per_nm3;
-        sum.s += weight * std::norm(amplitudes.s1);
-        sum.p += weight * std::norm(amplitudes.s2);
-        coherent_s += weight * amplitudes.s1;
-        coherent_p += weight * amplitudes.s2;
+        sum.s += weight * std::norm(at.s1);
+        sum.p += weight * std::norm(at.s2);
+        coherent_s += weight * at.s1;
+        coherent_p += weight * at.s2;
         count += weight;
     }
     if (model_ == ScatterModel::mie) return sum;
@@ -221,8 +245,7 @@ void ScatterSolver::seen(double cos_scatter, Polarisation polarisation, std::spa
 std::size_t ScatterSolver::terms() const {
     if (model_ == ScatterModel::rayleigh) return lights_.size();
     std::size_t sum = 0;
-    for (const Light& light : lights_)
-        for (const MieSphere& sphere : light.spheres) sum += sphere.a.size();
+    for (const Light& light : lights_) sum += light.sums.size();
     return sum;
 }
 

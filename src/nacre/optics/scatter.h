@@ -1,5 +1,6 @@
 #pragma once
 
+#include <complex>
 #include <cstddef>
 #include <span>
 #include <vector>
@@ -79,14 +80,21 @@ private:
         double per_nm3;  // particles of this radius
     };
     struct Light {
-        double wave_number = 0.0;        // in the medium, 1 / nm
-        std::vector<MieSphere> spheres;  // one per size; none of rayleigh
-        double dipole = 0.0;             // of rayleigh: |S|^2 of the particles in 1 nm^3, at 0 degrees
-        double scattered_per_nm = 0.0;   // by the particles in 1 nm^3: cross-section, nm^2
+        double wave_number = 0.0;  // in the medium, 1 / nm
+        // a_n + b_n and a_n - b_n of one size after the other, and where each ends; none of rayleigh.
+        std::vector<std::complex<double>> sums, differences;
+        std::vector<std::size_t> ends;
+        double dipole = 0.0;            // of rayleigh: |S|^2 of the particles in 1 nm^3, at 0 degrees
+        double scattered_per_nm = 0.0;  // by the particles in 1 nm^3: cross-section, nm^2
         double absorbed_per_nm = 0.0;
         double depth = 0.0;
         double albedo = 0.0;
         double scale = 0.0;  // seen per |S|^2 of the particles in 1 nm^3
+    };
+    struct Room {
+        MieRoom functions;
+        MieSphere sphere;
+        std::vector<std::complex<double>> sums, differences;
     };
     // |S|^2 of the particles in 1 nm^3, of s and of p.
     struct Intensity {
@@ -95,10 +103,12 @@ private:
 
     static std::vector<Size> size_classes(const Scatter& scatter, int sizes);
     static void prepare_dipoles(const Scatter& scatter, RefractiveIndex relative, Light& light);
-    void prepare_spheres(RefractiveIndex relative, Light& light, MieRoom& room);
-    MieSphere mean_sphere(const Light& light) const;
+    void prepare_spheres(RefractiveIndex relative, Light& light, Room& room);
+    Light mean_sphere(const Light& light) const;
     void integrate_order();
     double order_less_one(const Light& light, double cos_scatter) const;
+    static ScatteringAmplitudes amplitudes(const Light& light, std::size_t begin, std::size_t end,
+                                           const AngularFunctions& angles);
     Intensity intensity(const Light& light, double cos_scatter, const AngularFunctions& angles) const;
     friend double largest_size_parameter(const Scatter& scatter, double wavelength_nm, int sizes);
 

@@ -192,7 +192,8 @@ struct Reference::Scattering {
     Scatter scatter;
     int sizes = 1;
     std::map<std::size_t, ScatterSolver> solvers{};  // by the number of wavelengths
-    int cells = 0;                                   // to begin with
+    int most_cells = 0;
+    int cells = 0;  // to begin with
 
     std::vector<double> seen(const std::vector<double>& nm, double cos_scatter, Polarisation polarisation) {
         std::vector<double> values(nm.size());
@@ -206,15 +207,16 @@ Xyz Reference::scattered(const Mechanism& mechanism, double cos_scatter) const {
     const auto& scatter = std::get<Scatter>(mechanism);
     const bool has_sizes = scatter.radius_spread > 0.0;
     const int sizes = has_sizes ? sizes_of_reference(job_.sampling.radii) : 1;
-    if (!scattering_ || !(scattering_->scatter == scatter))
-        scattering_ = std::make_shared<Scattering>(Scattering{scatter, sizes});
-    // What is kept of every wavelength is as long as its spheres are large.
-    const double length = sizes * largest_size_parameter(scatter, job_.light->settings.first_nm, sizes);
-    const int most_cells = static_cast<int>(std::clamp(4e6 / length, 1024.0, 16384.0));
+    if (!scattering_ || !(scattering_->scatter == scatter)) {
+        // What is kept of every wavelength is as long as its spheres are large.
+        const double length = sizes * largest_size_parameter(scatter, job_.light->settings.first_nm, sizes);
+        const int most_cells = static_cast<int>(std::clamp(4e6 / length, 1024.0, 16384.0));
+        scattering_ = std::make_shared<Scattering>(Scattering{scatter, sizes, {}, most_cells});
+    }
     const auto spectrum = [&](const std::vector<double>& nm) {
         return scattering_->seen(nm, cos_scatter, mechanism.effects.polarisation);
     };
-    return integral(has_sizes ? 8.0 : 1.0, scattering_->cells, spectrum, most_cells);
+    return integral(has_sizes ? 8.0 : 1.0, scattering_->cells, spectrum, scattering_->most_cells);
 }
 
 // Spectra, lamp and colour matching functions are straight between these: the rule is exact.

@@ -49,6 +49,7 @@ double expanded_layers(const LayerSystem& system);
 struct LayerEnsemble {
     std::vector<LayerSystem> systems;
     std::vector<double> shares;  ///< as many, each > 0; their sum is 1
+    friend bool operator==(const LayerEnsemble&, const LayerEnsemble&) = default;
 };
 
 /// Writes a LayerSystem down layer by layer; equal materials and media share an entry.

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "nacre/shade/layered_colour.h"
+
 namespace nacre {
 namespace {
 
@@ -48,6 +50,21 @@ std::shared_ptr<const ScatterSolver> KeptSolvers::scatter(const Scatter& scatter
     if (static_cast<std::size_t>(sizes) * nodes->wavelength_nm.size() <= most_wavelengths)
         keep(scatter_, OfScatter{scatter, nodes, sizes, made});
     return made;
+}
+
+std::vector<double> KeptSolvers::base_factors(const Base& base, const LayerEnsemble& layers, const Nodes& nodes,
+                                              int points, Work* work) {
+    auto found = std::find_if(bases_.begin(), bases_.end(), [&](const OfBase& entry) {
+        return entry.nodes == nodes && entry.points == points && entry.base == base && entry.layers == layers;
+    });
+    if (found == bases_.end()) {
+        Work taken;
+        std::vector<double> factors = nacre::base_factors(base, layers, nodes->wavelength_nm, points, &taken);
+        keep(bases_, OfBase{base, layers, nodes, points, std::move(factors), taken});
+        found = bases_.end() - 1;
+    }
+    if (work != nullptr) *work += found->work;
+    return found->factors;
 }
 
 Solvers layer_solvers(KeptSolvers* kept, const std::vector<LayerSystem>& systems, const Nodes& nodes) {

@@ -5,9 +5,11 @@
 #include <vector>
 
 #include "nacre/colour/spectral_nodes.h"
+#include "nacre/optics/base.h"
 #include "nacre/optics/layer_system.h"
 #include "nacre/optics/multilayer/multilayer.h"
 #include "nacre/optics/scatter.h"
+#include "nacre/shade/work.h"
 
 namespace nacre {
 
@@ -21,8 +23,19 @@ public:
     /// One per system.
     Solvers layers(const std::vector<LayerSystem>& systems, const Nodes& nodes);
     std::shared_ptr<const ScatterSolver> scatter(const Scatter& scatter, const Nodes& nodes, int sizes);
+    /// As nacre::base_factors(). @param work  is added to as if nothing were kept; null: nobody asks
+    std::vector<double> base_factors(const Base& base, const LayerEnsemble& layers, const Nodes& nodes, int points,
+                                     Work* work);
 
 private:
+    struct OfBase {
+        Base base;
+        LayerEnsemble layers;
+        Nodes nodes;
+        int points;
+        std::vector<double> factors;
+        Work work;
+    };
     struct OfLayers {
         std::vector<LayerSystem> systems;
         Nodes nodes;
@@ -36,6 +49,7 @@ private:
     };
     std::vector<OfLayers> layers_;  // the last one last
     std::vector<OfScatter> scatter_;
+    std::vector<OfBase> bases_;
 };
 
 /// The same without keeping anything where there is no `kept`.

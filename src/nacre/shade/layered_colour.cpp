@@ -166,8 +166,12 @@ LayeredColour::Band& LayeredColour::band_at(std::size_t index, Work* work) {
         if (sampling_.nodes[other] == nodes && bands_[other].solvers != nullptr) band.solvers = bands_[other].solvers;
     }
     if (band.solvers == nullptr) band.solvers = layer_solvers(sampling_.kept.get(), ensemble_.systems, nodes);
-    if (const Base* base = diffuse_base(effects_))
-        band.base_factors = base_factors(*base, ensemble_, nodes->wavelength_nm, sampling_.base_directions, work);
+    if (const Base* base = diffuse_base(effects_)) {
+        const int points = sampling_.base_directions;
+        band.base_factors = sampling_.kept != nullptr
+                                ? sampling_.kept->base_factors(*base, ensemble_, nodes, points, work)
+                                : base_factors(*base, ensemble_, nodes->wavelength_nm, points, work);
+    }
     return band;
 }
 

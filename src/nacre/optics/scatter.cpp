@@ -76,6 +76,7 @@ ScatterSolver::ScatterSolver(const Scatter& scatter, std::span<const double> wav
     if (model_ == ScatterModel::quasi_ordered) {
         hard_diameter_nm_ = 2.0 * hard_radius_nm(scatter);
         hard_fraction_ = std::min(hard_sphere_fraction(scatter), largest_hard_fraction);
+        order_ = HardSpheres(hard_fraction_);
         integrate_order();
     }
     const double thickness_nm = 1e3 * scatter.thickness_um;
@@ -190,7 +191,7 @@ void ScatterSolver::integrate_order() {
 double ScatterSolver::order_less_one(const Light& light, double cos_scatter) const {
     const double half_sine = std::sqrt(std::max(0.5 * (1.0 - cos_scatter), 0.0));  // sin(angle / 2)
     const double q_diameter = 2.0 * light.wave_number * half_sine * hard_diameter_nm_;
-    return hard_sphere_structure_factor(hard_fraction_, q_diameter) - 1.0;
+    return order_.structure_factor(q_diameter) - 1.0;
 }
 
 // As mie_amplitudes(), of the size whose terms are there.

@@ -8,6 +8,7 @@
 #include "nacre/optics/mie.h"
 #include "nacre/optics/polarisation.h"
 #include "nacre/optics/refractive_index.h"
+#include "nacre/optics/structure_factor.h"
 
 namespace nacre {
 
@@ -118,6 +119,7 @@ private:
     int most_terms_ = 0;             // of a sphere
     double hard_diameter_nm_ = 0.0;  // of quasi_ordered
     double hard_fraction_ = 0.0;
+    HardSpheres order_{0.0};
 };
 
 }  // namespace nacre

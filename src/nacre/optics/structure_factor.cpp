@@ -33,16 +33,25 @@ std::array<Complex, 3> moments(double u) {
 
 }  // namespace
 
-double hard_sphere_structure_factor(double volume_fraction, double q_diameter) {
-    assert(volume_fraction >= 0.0 && volume_fraction <= 0.6 && q_diameter >= 0.0);
-    // Baxter's factor function, a / 2 (s^2 - 1) + b (s - 1) for distances s from 0 to one diameter.
+// With Baxter's factor function, a / 2 (s^2 - 1) + b (s - 1) for distances s from 0 to one diameter.
+HardSpheres::HardSpheres(double volume_fraction) {
+    assert(volume_fraction >= 0.0 && volume_fraction <= 0.6);
     const double square = (1.0 - volume_fraction) * (1.0 - volume_fraction);
     const double a = (1.0 + 2.0 * volume_fraction) / square;
     const double b = -1.5 * volume_fraction / square;
+    of_square_ = 12.0 * volume_fraction * 0.5 * a;
+    of_line_ = 12.0 * volume_fraction * b;
+}
+
+double HardSpheres::structure_factor(double q_diameter) const {
+    assert(q_diameter >= 0.0);
     const std::array<Complex, 3> moment = moments(q_diameter);
-    const Complex factor =
-        1.0 - 12.0 * volume_fraction * (0.5 * a * (moment[2] - moment[0]) + b * (moment[1] - moment[0]));
+    const Complex factor = 1.0 - (of_square_ * (moment[2] - moment[0]) + of_line_ * (moment[1] - moment[0]));
     return 1.0 / std::norm(factor);
+}
+
+double hard_sphere_structure_factor(double volume_fraction, double q_diameter) {
+    return HardSpheres(volume_fraction).structure_factor(q_diameter);
 }
 
 }  // namespace nacre

@@ -12,6 +12,16 @@ namespace nacre {
 /// @param volume_fraction  of the spheres, in [0, 0.6]; real hard spheres freeze from 0.494 on, which the formula
 /// ignores
 /// @param q_diameter  length of the scattering vector, 2 k sin(angle / 2), times the diameter, >= 0
+class HardSpheres {
+public:
+    explicit HardSpheres(double volume_fraction);
+    double structure_factor(double q_diameter) const;
+
+private:
+    double of_square_, of_line_;
+};
+
+/// The same, asked for once.
 double hard_sphere_structure_factor(double volume_fraction, double q_diameter);
 
 }  // namespace nacre

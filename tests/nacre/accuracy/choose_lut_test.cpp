@@ -291,7 +291,7 @@ TEST(ChooseLut, ThatWavelengthsCannotReachSaysWhatTheyCost) {
 }
 
 TEST(ChooseLut, ThatNoSizeReachesSaysThatThereIsNone) {
-    const ChosenLut chosen = choose_lut(requested_lut(on_axis(test::job_of(test::opal), "cos_theta"), 5e-5), encoding);
+    const ChosenLut chosen = choose_lut(requested_lut(test::job_of(test::morpho), 2e-5), encoding);
     EXPECT_FALSE(chosen.is_reached);
     EXPECT_EQ(chosen.lut.job.width, 16384) << "the best there is";
     EXPECT_EQ(chosen.lut.format, single);

@@ -172,7 +172,8 @@ TEST(MieSphere, ScattersLessThanItTakesWhateverItIsMadeOf) {
         const double n = std::pow(10.0, uniform.between(-3.0, 1.5));
         const double k = i % 4 == 0 ? 0.0 : std::pow(10.0, uniform.between(-16.0, 1.5));
         const MieSphere sphere = mie_sphere(x, Complex(i % 97 == 0 ? 0.0 : n, i % 97 == 0 ? k + 0.1 : k));
-        ASSERT_TRUE(std::isfinite(sphere.q_ext) && std::isfinite(mie_asymmetry(sphere, x))) << x << " " << n << " " << k;
+        ASSERT_TRUE(std::isfinite(sphere.q_ext) && std::isfinite(mie_asymmetry(sphere, x)))
+            << x << " " << n << " " << k;
         ASSERT_TRUE(0.0 < sphere.q_sca && sphere.q_sca <= sphere.q_ext) << x << " " << n << " " << k;
         const ScatteringAmplitudes amplitudes = mie_amplitudes(sphere, uniform.between(-1.0, 1.0));
         ASSERT_TRUE(std::isfinite(std::norm(amplitudes.s1) + std::norm(amplitudes.s2))) << x << " " << n << " " << k;

@@ -13,6 +13,7 @@
 #include "nacre/lut/formats.h"
 #include "nacre/lut/job.h"
 #include "nacre/scene/output_names.h"
+#include "pipeline/bake_within_bound.h"
 #include "pipeline/baked_lut.h"
 #include "pipeline/lut_png.h"
 #include "pipeline/manifest.h"
@@ -52,36 +53,6 @@ std::string lut_file(const BakeTask& task, LutOutput output, BakeOutcome& outcom
     return {};
 }
 
-bool misses_its_bound(const ChosenLut& chosen, const BakedLut& baked) {
-    return chosen.lut.request.has_bound && baked.reached && *baked.reached > chosen.lut.request.max_de00;
-}
-
-// Bakes the LUT that was decided. If it errs by more than was predicted it is decided again with more care, and the
-// best is kept. Not so of a pair, which must stay one: that was measured when it was decided.
-BakedLut bake_within_bound(const BakeTask& task, const Execution& execution) {
-    const int most_times = task.lut->is_of_pair ? 0 : 3;
-    const LoadedScene& scene = *task.scene;
-    const ColourSpace& space = task.decided->space();
-    const Encoding encoding = lut_encoding(space, task.lut->colour.gamut);
-    const auto bake = [&](const ChosenLut& chosen) {
-        return bake_lut(chosen, scene.plan, scene.source, space, execution.step);
-    };
-    BakedLut best = bake(task.decided->lut);
-    ChosenLut chosen = task.decided->lut;
-    std::optional<double> reached = best.reached;
-    Care care;
-    for (int times = 0; times < most_times && chosen.is_reached && misses_its_bound(chosen, best); ++times) {
-        care = more_care(care, chosen, *reached);
-        chosen = choose_lut(*task.lut, encoding, execution.step, care);
-        BakedLut again = bake(chosen);
-        reached = again.reached;
-        if (*again.reached >= *best.reached) continue;
-        best = std::move(again);
-        task.decided->lut = chosen;
-    }
-    return best;
-}
-
 // What the measured error says about the bound, in the outcome's words.
 void judge_bound(const BakeTask& task, const BakeTarget& target, BakeOutcome& outcome) {
     const ChosenLut& decided = task.decided->lut;
@@ -102,7 +73,7 @@ void judge_bound(const BakeTask& task, const BakeTarget& target, BakeOutcome& ou
 BakeOutcome bake_one_lut(const BakeTask& task, const BakeTarget& target, const Execution& execution) {
     const double begin = thread_seconds();
     BakeOutcome outcome;
-    outcome.baked = bake_within_bound(task, execution);
+    outcome.baked = bake_within_bound(*task.decided, execution);
     const ChosenLut& decided = task.decided->lut;
     outcome.manifest = manifest_json(decided, outcome.baked);
     std::vector<std::string> files;

@@ -2,15 +2,21 @@
 
 #include <map>
 #include <memory>
+#include <string_view>
 #include <utility>
 
+#include "io/disk/hash.h"
 #include "io/ocio/config_version.h"
 #include "io/scene/scene_file.h"
 #include "nacre/base/error.h"
 #include "nacre/lut/colour_settings.h"
+#include "nacre/lut/srgb_colour_space.h"
 #include "pipeline/mechanism_finder.h"
 
 namespace nacre {
+
+extern const std::string_view builtin_ocio_config;
+
 namespace {
 
 // One scene's config, and the spaces that picks were given in.
@@ -33,12 +39,18 @@ private:
         const std::string at = where.text() + ": colour";
         try {
             auto found = spaces_->space(name, at);
+            if (is_srgb_of_own_config(*found)) return std::make_shared<const SrgbColourSpace>();
             if (found->has_inverse()) return found;
         } catch (const Error& error) {
             if (!space.empty()) throw;
             throw Error(std::string(error.what()) + " (the config's role for picked colours); give space = \"...\"");
         }
         throw Error(at + ": " + name + " has no inverse to XYZ in this config; give another space");
+    }
+
+    // Its meaning is known, so that it can be read without the single precision of OpenColorIO.
+    bool is_srgb_of_own_config(const ColourSpace& space) const {
+        return space.name() == SrgbColourSpace::known_name && spaces_->content_hash() == hash_text(builtin_ocio_config);
     }
 
     std::string scene_path_;

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "io/scene/text_file.h"
+#include "nacre/base/decimal.h"
 #include "nacre/base/error.h"
 #include "nacre/base/names.h"
 #include "nacre/base/text.h"
@@ -115,10 +116,13 @@ char separator_of(const std::vector<Line>& lines) {
     return lines.empty() ? separators.back() : best_in(lines.front().second);
 }
 
-template <typename Number>
-std::optional<Number> whole_number(std::string_view text) {
+std::string_view without_plus(std::string_view text) {
     if (text.starts_with('+')) text.remove_prefix(1);
-    Number number{};
+    return text;
+}
+
+std::optional<int> whole_number(std::string_view text) {
+    int number = 0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
     if (error != std::errc() || end != text.data() + text.size() || text.empty()) return std::nullopt;
     return number;
@@ -173,13 +177,13 @@ double csv_number(const std::string& path, const CsvRow& row, std::size_t column
 }
 
 std::optional<double> decimal_number(std::string_view text, int shift) {
-    const std::optional<double> number = whole_number<double>(text);
+    const std::optional<double> number = read_decimal(without_plus(text));
     if (!number || !std::isfinite(*number)) return std::nullopt;
     if (shift == 0) return number;
     const std::size_t e = text.find_first_of("eE");
-    const std::optional<int> exponent = e == std::string_view::npos ? 0 : whole_number<int>(text.substr(e + 1));
+    const std::optional<int> exponent = e == std::string_view::npos ? 0 : whole_number(without_plus(text.substr(e + 1)));
     if (!exponent) return std::nullopt;
-    return whole_number<double>(std::string(text.substr(0, e)) + "e" + std::to_string(*exponent + shift));
+    return read_decimal(std::string(without_plus(text.substr(0, e))) + "e" + std::to_string(*exponent + shift));
 }
 
 }  // namespace nacre

@@ -117,7 +117,7 @@ std::vector<double> csv_wavelengths(const CsvTable& table) {
 
 std::size_t column_named(const CsvTable& table, const std::string& name) {
     const std::vector<std::string>& fields = table.heading.fields;
-    const std::span<const std::string> names(fields.begin() + (fields.empty() ? 0 : 1), fields.end());
+    const auto names = std::span(fields).subspan(fields.empty() ? 0 : 1);
     const auto found = std::find(names.begin(), names.end(), name);
     if (found == names.end()) {
         const std::string known = names.empty() ? "the table has no heading" : "known: " + known_like(name, names);

@@ -1,14 +1,14 @@
 #include "io/scene/spectra_csv.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cstddef>
 #include <numeric>
+#include <optional>
 #include <string_view>
-#include <system_error>
 #include <vector>
 
 #include "io/scene/csv_table.h"
+#include "nacre/base/decimal.h"
 #include "nacre/base/error.h"
 #include "nacre/base/names.h"
 #include "nacre/base/text.h"
@@ -38,18 +38,17 @@ double read_angle(const CsvTable& table, std::size_t column) {
     const std::string& heading = table.heading.fields[column];
     std::string text(number_part(heading));
     if (table.heading.separator != ',') std::replace(text.begin(), text.end(), ',', '.');
-    double angle_deg = 0.0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), angle_deg);
-    if (text.empty() || error != std::errc() || end != text.data() + text.size()) {
+    const std::optional<double> angle_deg = read_decimal(text);
+    if (!angle_deg) {
         fail_csv(table.path, table.heading, column,
                  "heading " + in_quotes(heading) + " is not an angle; give degrees, such as 15" +
                      (heading.empty() ? "" : ", or choose this specimen with column = " + in_quotes(heading)));
     }
     // Written so that NaN fails too.
-    if (!(angle_deg >= 0.0 && angle_deg <= 90.0)) {
+    if (!(*angle_deg >= 0.0 && *angle_deg <= 90.0)) {
         fail_csv(table.path, table.heading, column, "angle " + text + " is out of range; allowed [0, 90] degrees");
     }
-    return angle_deg + 0.0;  // no -0
+    return *angle_deg + 0.0;  // no -0
 }
 
 std::vector<double> read_angles(const CsvTable& table) {

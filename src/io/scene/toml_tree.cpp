@@ -1,4 +1,4 @@
-// The only file that knows toml++.
+// One of the two files that know toml++; the other is toml_places.cpp.
 #include "io/scene/toml_tree.h"
 
 #include <toml++/toml.h>

@@ -124,19 +124,6 @@ private:
 
 }  // namespace
 
-const YamlNode* YamlNode::find(std::string_view key) const {
-    const auto found = std::find(keys.begin(), keys.end(), key);
-    return found == keys.end() ? nullptr : &items[static_cast<std::size_t>(found - keys.begin())];
-}
-
-std::string printable(std::string_view text) {
-    std::string result(text);
-    for (char& c : result) {
-        if (static_cast<unsigned char>(c) < ' ' || c == '\x7F') c = ' ';
-    }
-    return result;
-}
-
 YamlNode parse_yaml(std::string_view text, const std::string& name) {
     if (text.starts_with(byte_order_mark)) text.remove_prefix(byte_order_mark.size());
     if (const std::size_t zero = text.find('\0'); zero != std::string_view::npos) {

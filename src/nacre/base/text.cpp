@@ -1,18 +1,14 @@
 #include "nacre/base/text.h"
 
-#include <cassert>
-#include <charconv>
 #include <cmath>
 #include <cstddef>
-#include <iterator>
-#include <system_error>
+
+#include "nacre/base/decimal.h"
 
 namespace nacre {
 
 std::string number_text(double value) {
-    char buffer[32];
-    const auto result = std::to_chars(buffer, buffer + sizeof buffer, value);
-    std::string text(buffer, result.ptr);
+    std::string text = shortest_decimal(value);
     // Sixteen digits and more are a whole number that TOML's integers may not hold.
     constexpr std::size_t safe_digits = 15;
     if (text.size() > safe_digits && text.find_first_not_of("-0123456789") == std::string::npos) text += ".0";
@@ -26,20 +22,11 @@ std::string limit_text(double limit) {
 }
 
 std::string significant_text(double value, int digits) {
-    char buffer[32];
-    const auto written =
-        std::to_chars(buffer, buffer + sizeof buffer, value, std::chars_format::scientific, digits - 1);
-    double rounded = value;  // values that are not finite stay as they are
-    std::from_chars(buffer, written.ptr, rounded);
-    return number_text(rounded);
+    return number_text(rounded_to_digits(value, digits));
 }
 
 std::string fixed_text(double value, int decimals) {
-    char digits[48];
-    const auto [end, error] =
-        std::to_chars(std::begin(digits), std::end(digits), value, std::chars_format::fixed, decimals);
-    assert(error == std::errc());
-    const std::string text(digits, end);
+    const std::string text = fixed_decimal(value, decimals);
     const bool is_zero = text.find_first_not_of("-0.") == std::string::npos;
     return is_zero && text.front() == '-' ? text.substr(1) : text;
 }

@@ -1,6 +1,6 @@
 // What the page knows of nacre: the types of src/web/session.h, as JSON. engine.ts implements Engine.
 
-/** Where a value stands in the scene's text. Lines and columns count from 1, columns in bytes of UTF-8; the end is the
+/** Where a value stands in the scene's text. Lines and columns count from 1, columns in characters; the end is the
  *  place behind the last character. */
 export interface Place {
   line: number;
@@ -65,6 +65,8 @@ export interface LutSummary {
   material: string;
   /** "reflectance" or "transmittance" */
   quantity: string;
+  /** What the scene calls it: the two of a pair share it. */
+  entry: string;
   x: Axis;
   y?: Axis;
   maxDe00: number;
@@ -92,8 +94,7 @@ export interface EffectChoice {
   share: number;
 }
 
-export interface BakedLut {
-  name: string;
+export interface BakedLut extends LutSummary {
   width: number;
   height: number;
   format: "half" | "float";
@@ -102,9 +103,6 @@ export interface BakedLut {
   space: string;
   /** From the LUT's colour space to linear Rec.709, row by row. */
   toRec709: number[];
-  x: Axis;
-  y?: Axis;
-  maxDe00: number;
   /** What the texture errs by at most; missing if it cannot be known. */
   reached?: number;
   /** Size of the EXR file. */
@@ -160,6 +158,23 @@ export interface Engine {
    *  scene's text with the best of them. `step` is called now and then. */
   findStructure(material: string, mechanism: string, step: (done: number) => void): { text: string; summary: string };
   shippedMaterials(): Listed[];
-  /** name, and the text of the scene in `about`. */
+  /** `title` is the scene's first line of comment. */
   shippedScenes(): { name: string; title: string; text: string }[];
+}
+
+/** Engine in a worker: the same calls, answered later. */
+export interface AsyncEngine {
+  putFile(path: string, bytes: Uint8Array): Promise<void>;
+  open(text: string): Promise<OpenedScene>;
+  bake(lut: string, coarse?: boolean): Promise<BakedLut>;
+  exr(lut: string): Promise<Uint8Array>;
+  manifest(lut: string): Promise<string>;
+  cost(lut: string, maxDe00: number): Promise<CostPoint>;
+  findStructure(
+    material: string,
+    mechanism: string,
+    step: (done: number) => void,
+  ): Promise<{ text: string; summary: string }>;
+  /** Ends whatever it does; what it was asked is rejected with "cancelled". It goes on with the scene that was open. */
+  cancel(): void;
 }

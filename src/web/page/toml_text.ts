@@ -1,0 +1,132 @@
+// Changes of a scene's text at the places that nacre gives for its values. All else, comments too, stays as it is.
+
+import type { Place, SceneValue } from "./api";
+
+export type TomlValue = number | string | boolean | string[] | { toml: string };
+type Values = Record<string, SceneValue>;
+
+/** Characters begin to end are replaced. */
+interface Edit {
+  begin: number;
+  end: number;
+  text: string;
+}
+
+export function inToml(value: TomlValue): string {
+  if (typeof value === "number") return String(Number(value.toPrecision(7)));
+  if (Array.isArray(value)) return `[${value.map((item) => JSON.stringify(item)).join(", ")}]`;
+  return typeof value === "object" ? value.toml : JSON.stringify(value);
+}
+
+/** Lines and columns count from 1, columns in characters of Unicode. */
+export function offsetOf(text: string, line: number, column: number): number {
+  let start = 0;
+  for (let at = 1; at < line; ++at) start = text.indexOf("\n", start) + 1;
+  let offset = start;
+  for (const character of text.slice(start)) {
+    if (--column < 1) break;
+    offset += character.length;
+  }
+  return offset;
+}
+
+function spanOf(text: string, place: Place): { begin: number; end: number } {
+  return { begin: offsetOf(text, place.line, place.column), end: offsetOf(text, place.endLine, place.endColumn) };
+}
+
+function endOfLine(text: string, offset: number): number {
+  const end = text.indexOf("\n", offset);
+  return end < 0 ? text.length : end;
+}
+
+const isAssigned = (text: string, begin: number): boolean => text.slice(0, begin).trimEnd().endsWith("=");
+
+/** "a.b[0].c" as "a.b[0]" and "c". */
+function parentAndKey(path: string): { parent: string; key: string } {
+  const parts = /^(.*)\.("(?:[^"\\]|\\.)*"|[\w-]+)$/s.exec(path);
+  return parts ? { parent: parts[1]!, key: parts[2]! } : { parent: "", key: path };
+}
+
+// Behind the last key of a table that stands under a heading.
+function endOfTable(text: string, values: Values, table: string, heading: number): number {
+  let last = heading;
+  for (const [path, value] of Object.entries(values)) {
+    if (parentAndKey(path).parent !== table) continue;
+    const { begin, end } = spanOf(text, value.place);
+    if (isAssigned(text, begin)) last = Math.max(last, end);
+  }
+  return endOfLine(text, last);
+}
+
+function insertion(text: string, values: Values, path: string, literal: string): Edit {
+  const { parent, key } = parentAndKey(path);
+  const table = values[parent];
+  const span = table && table.place.line > 0 ? spanOf(text, table.place) : undefined;
+  if (span && text[span.begin] === "{") {
+    const inside = text.slice(span.begin + 1, span.end - 1);
+    const at = span.begin + 1 + inside.trimEnd().length;
+    return { begin: at, end: at, text: inside.trim() === "" ? ` ${key} = ${literal}` : `, ${key} = ${literal}` };
+  }
+  if (span) {
+    const at = endOfTable(text, values, parent, span.begin);
+    return { begin: at, end: at, text: `\n${text[span.begin] === "[" ? key : path} = ${literal}` };
+  }
+  const gap = text.endsWith("\n") ? "\n" : "\n\n";
+  return { begin: text.length, end: text.length, text: `${gap}[${parent}]\n${key} = ${literal}\n` };
+}
+
+function applied(text: string, edits: Edit[]): string {
+  const fromTheEnd = edits.map((edit, order) => ({ ...edit, order }));
+  fromTheEnd.sort((a, b) => b.begin - a.begin || b.order - a.order);
+  for (const edit of fromTheEnd) text = text.slice(0, edit.begin) + edit.text + text.slice(edit.end);
+  return text;
+}
+
+/** The text with other values. Keys and tables that are missing are inserted. */
+export function withValues(text: string, values: Values, changes: Record<string, TomlValue>): string {
+  const edits = Object.entries(changes).map(([path, value]) => {
+    const known = values[path];
+    if (!known) return insertion(text, values, path, inToml(value));
+    return { ...spanOf(text, known.place), text: inToml(value) };
+  });
+  return applied(text, edits);
+}
+
+/** The text with one more item at the end of an array. */
+export function withItem(text: string, values: Values, array: string, literal: string): string {
+  const known = values[array];
+  if (!known) return withValues(text, values, { [array]: { toml: `[${literal}]` } });
+  const { begin, end } = spanOf(text, known.place);
+  if (!isAssigned(text, begin)) return text;
+  let last = 0;
+  while (values[`${array}[${last}]`]) ++last;
+  if (last === 0) return applied(text, [{ begin: begin + 1, end: begin + 1, text: literal }]);
+  const lastEnd = spanOf(text, values[`${array}[${last - 1}]`]!.place).end;
+  const rest = text.slice(lastEnd, end - 1);
+  const hasComma = rest.replace(/#.*$/gm, "").includes(",");
+  if (!rest.includes("\n")) return applied(text, [{ begin: lastEnd, end: lastEnd, text: `, ${literal}` }]);
+  const lineStart = text.lastIndexOf("\n", spanOf(text, values[`${array}[${last - 1}]`]!.place).begin) + 1;
+  const indent = /^[ \t]*/.exec(text.slice(lineStart))![0];
+  const lineEnd = endOfLine(text, lastEnd);
+  const edits = [{ begin: lineEnd, end: lineEnd, text: `\n${indent}${literal}${hasComma ? "," : ""}` }];
+  if (!hasComma) edits.push({ begin: lastEnd, end: lastEnd, text: "," });
+  return applied(text, edits);
+}
+
+/** The text without a value: a key of a table, or an item of an array. */
+export function without(text: string, values: Values, path: string): string {
+  const known = values[path];
+  if (!known) return text;
+  let { begin, end } = spanOf(text, known.place);
+  const key = /(?:"[^"\n]*"|[\w.-]+)\s*=\s*$/.exec(text.slice(0, begin));
+  if (key && isAssigned(text, begin)) begin = key.index;
+  const after = /^\s*,[ \t]*/.exec(text.slice(end));
+  if (after) end += after[0].length;
+  else begin -= /(?:,\s*)?$/.exec(text.slice(0, begin))![0].length;
+  const lineStart = text.lastIndexOf("\n", begin - 1) + 1;
+  const lineEnd = endOfLine(text, end);
+  const isLineEmpty = (text.slice(lineStart, begin) + text.slice(end, lineEnd)).trim() === "";
+  return isLineEmpty && lineEnd < text.length
+    ? text.slice(0, lineStart) + text.slice(lineEnd + 1)
+    : text.slice(0, begin) + text.slice(end);
+}

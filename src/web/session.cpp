@@ -107,6 +107,12 @@ const PlannedLut& Session::planned(const std::string& lut) const {
     throw Error("the scene has no LUT " + in_quotes(lut));
 }
 
+std::vector<std::string> Session::luts() const {
+    std::vector<std::string> names;
+    for (const PlannedLut& one : scene().plan.luts) names.push_back(one.name);
+    return names;
+}
+
 Json Session::open(const std::string& text) {
     Json json{{"mistakes", Json::array()}, {"warnings", Json::array()}, {"values", values_json(text)},
               {"materials", Json::array()}, {"luts", Json::array()}};

@@ -52,6 +52,10 @@ public:
     /// CIE XYZ relative to D65 of a LUT's texels before they are converted and rounded: three numbers each.
     std::vector<double> xyz(const std::string& lut);
 
+    /// Of the open scene.
+    std::vector<std::string> luts() const;
+    bool has_second_axis(const std::string& lut) const { return planned(lut).job.y.has_value(); }
+
 private:
     struct Entry {
         DecidedLut decided;

@@ -71,11 +71,12 @@ bool newton(const Light& light, int free, const Residual& residual, UnitBand& ba
         if (error < exact_enough) return true;
         glm::dmat3 slopes(0.0);
         for (int i = 0; i < free; ++i) {
-            glm::dvec3 beside(0.0);
             // Away from the end of a range.
             const bool at_end = (i == 1 && band.spread > 0.5) || (i == 2 && band.flatness > 0.5);
-            beside[i] = at_end ? -difference : difference;
-            slopes[i] = (residual(moved(band, beside)) - here) / beside[i];
+            const double by = at_end ? -difference : difference;
+            // Clang 14 reads a zero from a vector whose i-th component was set, for WebAssembly with SIMD.
+            const glm::dvec3 beside(i == 0 ? by : 0.0, i == 1 ? by : 0.0, i == 2 ? by : 0.0);
+            slopes[i] = (residual(moved(band, beside)) - here) / by;
         }
         glm::dmat3 normal = slopes * glm::transpose(slopes);
         const double trace = normal[0][0] + normal[1][1] + normal[2][2];

@@ -5,7 +5,7 @@ import type { Mesh } from "./surfaces";
 
 export class Program {
   private readonly program: WebGLProgram;
-  private readonly places = new Map<string, WebGLUniformLocation | null>();
+  private readonly places: { name: string; type: number; place: WebGLUniformLocation }[] = [];
 
   constructor(private readonly gl: WebGL2RenderingContext, vertex: string, fragment: string) {
     this.program = gl.createProgram()!;
@@ -20,27 +20,26 @@ export class Program {
     gl.linkProgram(this.program);
   }
 
-  /** Uniforms by name: a number, or the numbers of a vector or a matrix of 2, 3 or 4 columns. */
+  /** Uniforms by name: a number, or the numbers of a vector or a matrix, column by column. */
   use(uniforms: Record<string, number | number[]>): void {
-    this.gl.useProgram(this.program);
-    for (const [name, value] of Object.entries(uniforms)) this.set(name, typeof value === "number" ? [value] : value);
-  }
-
-  private set(name: string, value: number[]): void {
     const { gl } = this;
-    if (!this.places.has(name)) this.places.set(name, gl.getUniformLocation(this.program, name));
-    const place = this.places.get(name)!;
-    const isMatrix = ["view", "turn", "camera", "roomTurn", "shadeTurn", "toRec709", "toGamut"].includes(name);
-    if (["axes", "quantity", "object", "lut", "lutThrough"].includes(name)) {
-      if (value.length === 2) gl.uniform2iv(place, value);
-      else gl.uniform1iv(place, value);
-    } else if (value.length === 16) gl.uniformMatrix4fv(place, false, value);
-    else if (value.length === 9) gl.uniformMatrix3fv(place, false, value);
-    else if (isMatrix) gl.uniformMatrix2fv(place, false, value);
-    else if (value.length === 4) gl.uniform4fv(place, value);
-    else if (value.length === 3) gl.uniform3fv(place, value);
-    else if (value.length === 2) gl.uniform2fv(place, value);
-    else gl.uniform1fv(place, value);
+    gl.useProgram(this.program);
+    const count = gl.getProgramParameter(this.program, gl.ACTIVE_UNIFORMS) as number;
+    for (let i = this.places.length; i < count; ++i) {
+      const { name, type } = gl.getActiveUniform(this.program, i)!;
+      this.places.push({ name, type, place: gl.getUniformLocation(this.program, name)! });
+    }
+    for (const { name, type, place } of this.places) {
+      const value = [uniforms[name] ?? 0].flat();
+      if (type === gl.SAMPLER_2D) gl.uniform1i(place, value[0]!);
+      else if (type === gl.FLOAT) gl.uniform1f(place, value[0]!);
+      else if (type === gl.FLOAT_VEC2) gl.uniform2fv(place, value);
+      else if (type === gl.FLOAT_VEC3) gl.uniform3fv(place, value);
+      else if (type === gl.FLOAT_VEC4) gl.uniform4fv(place, value);
+      else if (type === gl.FLOAT_MAT2) gl.uniformMatrix2fv(place, false, value);
+      else if (type === gl.FLOAT_MAT3) gl.uniformMatrix3fv(place, false, value);
+      else gl.uniformMatrix4fv(place, false, value);
+    }
   }
 }
 
@@ -109,21 +108,23 @@ function brightest(lut: BakedLut): number {
 }
 
 /** What the shaders have to know of a LUT, and by how much its light is brightened so that dark films are seen at all. */
-export function uniformsOf(lut: BakedLut, hasThrough: boolean): { uniforms: Record<string, number | number[]>; gain: number } {
+export function uniformsOf(
+  lut: BakedLut,
+  hasThrough: boolean,
+): { uniforms: Record<string, number | number[]>; gain: number; defines: string } {
   const kinds = [axisKind(lut.x), axisKind(lut.y)];
   const quantity = kinds.includes(3) ? 1 : kinds.includes(4) ? 2 : 0;
   const most = Math.max(brightest(lut), 1e-6);
-  const gain = quantity === 1 ? (kinds.includes(5) ? 0.012 : 0.5) / most : Math.max(1, (quantity === 2 ? 4 : 0.4) / most);
+  const gain = quantity === 1 ? (kinds.includes(5) ? 0.04 : 2.0) / most : Math.max(1, (quantity === 2 ? 4 : 0.4) / most);
   return {
     uniforms: {
-      axes: kinds,
       ranges: [lut.x.from, lut.x.to, lut.y?.from ?? 0, lut.y?.to ?? 1],
       toRec709: transposed(lut.toRec709),
-      quantity,
       hasThrough: hasThrough ? 1 : 0,
       lut: 0,
       lutThrough: 1,
     },
     gain,
+    defines: `#define AXIS_X ${kinds[0]}\n#define AXIS_Y ${kinds[1]}\n#define QUANTITY ${quantity}\n`,
   };
 }

@@ -102,17 +102,17 @@ const hindwing = path([[0.05, 0.03], [0.36, 0.1], [0.66, 0.09], [0.86, -0.02], [
 
 function addWing(mesh: Mesh, side: number, isFore: boolean): void {
   const outline = isFore ? forewing : hindwing;
-  const cells = isFore ? 22 : 24; // between veins all around
+  const cells = isFore ? 17 : 19; // between veins all around
   addSurface(
     mesh,
     [144, 32],
     part.wing,
     (u, v) => {
       const [x, y] = outline(u) as [number, number];
-      const scallop = 1 + (isFore ? 0.006 : 0.022) * Math.cos(2 * Math.PI * cells * u) * (u > 0.25 && u < 0.85 ? 1 : 0);
+      const scallop = 1 + (isFore ? 0.004 : 0.014) * Math.cos(2 * Math.PI * cells * u) * (u > 0.25 && u < 0.85 ? 1 : 0);
       const r = v * scallop;
       const [px, py] = [0.05 + (x - 0.05) * r, 0.02 + (y - 0.02) * r];
-      const bulge = 0.07 * Math.sin(Math.PI * Math.min(r, 1)) + 0.004 * r * Math.cos(2 * Math.PI * cells * u);
+      const bulge = 0.07 * Math.sin(Math.PI * Math.min(r, 1)) + 0.0016 * r * Math.cos(2 * Math.PI * cells * u);
       return [side * px, py, 0.16 * px + bulge + (isFore ? 0.02 : 0)];
     },
     (u, v, point) => [side * point[0], point[1], u + (isFore ? 0 : 2), v],
@@ -143,12 +143,12 @@ const roofWidth = spline([-2.2, -1.2, -0.3, 0.6, 2.2], [0.5, 0.64, 0.68, 0.7, 0.
 
 function carSection(x: number, angle: number): [number, number] {
   const end = Math.min(1, Math.abs(x) / carHalf);
-  const closing = (1 - end ** 5) ** (1 / 4);
+  const closing = (1 - end ** 8) ** (1 / 3.2);
   const [c, s] = [Math.cos(angle), Math.sin(angle)];
   const middle = 0.48;
   const round = (width: number, height: number, power: number): number =>
     (Math.abs(c / width) ** power + Math.abs(s / height) ** power) ** (-1 / power);
-  if (s < 0) return [closing * round(halfWidth(x), 0.27, 3) * s + middle, closing * round(halfWidth(x), 0.27, 3) * c];
+  if (s < 0) return [closing * round(halfWidth(x), 0.3, 3.4) * s + middle, closing * round(halfWidth(x), 0.3, 3.4) * c];
   const body = round(halfWidth(x), bodyTop(x) - middle, 3);
   const roof = round(roofWidth(x), Math.max(roofTop(x) - middle, 0.05), 2.6);
   const radius = closing * (body ** 14 + roof ** 14) ** (1 / 14);
@@ -158,17 +158,17 @@ function carSection(x: number, angle: number): [number, number] {
 function addWheel(mesh: Mesh, x: number, side: number): void {
   const rim = (radius: number, depth: number) => (u: number): Point =>
     [x + radius * Math.cos(2 * Math.PI * u), 0.33 + radius * Math.sin(2 * Math.PI * u), side * depth];
-  const rings: [number, number, number][] = [[0.33, 0.6, part.matte], [0.33, 0.86, part.matte], [0.31, 0.9, part.matte],
-    [0.245, 0.9, part.metal], [0.235, 0.88, part.metal], [0.225, 0.85, part.gloss], [0, 0.85, part.gloss]];
+  const rings: [number, number, number][] = [[0.33, 0.6, part.matte], [0.33, 0.91, part.matte], [0.315, 0.95, part.matte],
+    [0.265, 0.95, part.metal], [0.25, 0.93, part.gloss], [0, 0.92, part.gloss]];
   for (let i = 0; i + 1 < rings.length; ++i) {
-    const [[r0, z0], [r1, z1, kind]] = [rings[i]!, rings[i + 1]!];
+    const [[r0, z0, kind], [r1, z1]] = [rings[i]!, rings[i + 1]!];
     addSurface(mesh, [48, 1], kind, (u, v) => rim(r0 + (r1 - r0) * v, z0 + (z1 - z0) * v)(u));
   }
   for (let spoke = 0; spoke < 10; ++spoke) {
     addSurface(mesh, [4, 4], part.metal, (u, v) => {
-      const [along, across] = [0.02 + 0.215 * v, (u - 0.5) * (0.06 - 0.02 * v)];
+      const [along, across] = [0.02 + 0.235 * v, (u - 0.5) * (0.06 - 0.02 * v)];
       const [c, s] = [Math.cos((2 * Math.PI * spoke) / 10), Math.sin((2 * Math.PI * spoke) / 10)];
-      const depth = 0.875 - 1.2 * across * across * 10;
+      const depth = 0.94 - 1.2 * across * across * 10;
       return [x + along * c - across * s, 0.33 + along * s + across * c, side * depth];
     });
   }
@@ -197,10 +197,10 @@ function car(): Mesh {
 
 const makers: Record<ObjectName, () => ShownObject> = {
   sphere: () => ({ mesh: ball(), turn: 0, pitch: 8, reach: 1.34, wide: 1.2, floor: -1, shade: [1, 1] }),
-  bubble: () => ({ mesh: ball(), turn: 0, pitch: 4, reach: 1.34, wide: 1.2, floor: -1, shade: [0, 0] }),
-  wing: () => ({ mesh: butterfly(), turn: -14, pitch: 12, reach: 1.12, wide: 1.3, floor: -1.25, shade: [0, 0] }),
-  elytra: () => ({ mesh: beetle(), turn: -128, pitch: 40, reach: 1.12, wide: 1.35, floor: -0.4, shade: [1.0, 0.62] }),
-  car: () => ({ mesh: car(), turn: -38, pitch: 12, reach: 1.02, wide: 1.6, floor: -0.41, shade: [1.36, 0.56] }),
+  bubble: () => ({ mesh: ball(), turn: 0, pitch: 4, reach: 1.34, wide: 1.2, floor: -1, shade: [1e-3, 1e-3] }),
+  wing: () => ({ mesh: butterfly(), turn: -14, pitch: 10, reach: 1.1, wide: 1.3, floor: -1.25, shade: [1e-3, 1e-3] }),
+  elytra: () => ({ mesh: beetle(), turn: -128, pitch: 40, reach: 1.2, wide: 1.5, floor: -0.4, shade: [1.0, 0.62] }),
+  car: () => ({ mesh: car(), turn: -38, pitch: 11, reach: 0.92, wide: 1.5, floor: -0.41, shade: [1.36, 0.56] }),
   disc: () => ({ mesh: disc(), turn: 0, pitch: 58, reach: 1.12, wide: 1.15, floor: -0.03, shade: [0.97, 0.97] }),
 };
 const made = new Map<ObjectName, ShownObject>();

@@ -26,9 +26,9 @@ export interface OutputSettings {
 }
 
 interface Graphics {
-  object: Program;
   room: Program;
-  flat: Program;
+  /** Of an object or "flat", and the LUT's axes. */
+  ofLut: Map<string, Program>;
   marker: Program;
   meshes: Map<ObjectName, DrawnMesh>;
   textures: WebGLTexture[];
@@ -49,6 +49,7 @@ export class OutputView {
   private through: BakedLut | undefined;
   private ofLut: Record<string, number | number[]> = {};
   private gain = 1;
+  private defines = "";
   private turn = 0;
   private pitch = 8;
   private zoom = 1;
@@ -130,9 +131,8 @@ export class OutputView {
     const isWide = "drawingBufferColorSpace" in gl && matchMedia("(color-gamut: p3)").matches;
     if (isWide) gl.drawingBufferColorSpace = "display-p3";
     this.graphics = {
-      object: new Program(gl, shaders.vertexOfObject, shaders.fragmentOfObject(this.snippet)),
       room: new Program(gl, shaders.vertexOfScreen, shaders.fragmentOfRoom),
-      flat: new Program(gl, shaders.vertexOfScreen, shaders.fragmentOfFlat(this.snippet)),
+      ofLut: new Map(),
       marker: new Program(gl, shaders.vertexOfMarker, shaders.fragmentOfMarker),
       meshes: new Map(),
       textures: [],
@@ -148,9 +148,7 @@ export class OutputView {
     if (!gl || !graphics || !lut) return;
     for (const texture of graphics.textures) gl.deleteTexture(texture);
     graphics.textures = [uploadLut(gl, 0, lut), uploadLut(gl, 1, through ?? lut)];
-    const { uniforms, gain } = uniformsOf(lut, through !== undefined);
-    this.ofLut = uniforms;
-    this.gain = gain;
+    ({ uniforms: this.ofLut, gain: this.gain, defines: this.defines } = uniformsOf(lut, through !== undefined));
   }
 
   private fitCanvas(): void {
@@ -176,14 +174,14 @@ export class OutputView {
     const toGamut = gl.drawingBufferColorSpace === "display-p3" ? toDisplayP3 : identity;
     if (this.settings.flat !== null && this.lut) {
       const cosine = Math.cos((this.settings.flat * Math.PI) / 180);
-      graphics.flat.use({ ...this.ofLut, fixedRow: this.settings.row ?? 0.5, cosine, toGamut });
+      this.programOf(gl, graphics, "flat").use({ ...this.ofLut, fixedRow: this.settings.row ?? 0.5, cosine, toGamut });
       gl.drawArrays(gl.TRIANGLES, 0, 3);
       return;
     }
     const eye = this.eye();
     const uniforms = { ...this.uniforms(eye), toGamut };
     if (this.lut) {
-      graphics.object.use({ ...this.ofLut, ...uniforms });
+      this.programOf(gl, graphics, this.name).use({ ...this.ofLut, ...uniforms });
       const mesh = graphics.meshes.get(this.name) ?? new DrawnMesh(gl, shownObject(this.name).mesh);
       graphics.meshes.set(this.name, mesh);
       mesh.draw();
@@ -192,6 +190,18 @@ export class OutputView {
     graphics.room.use({ ...uniforms, camera, roomTurn: [1, 0, 0, 1] });
     gl.drawArrays(gl.TRIANGLES, 0, 3);
     this.drawMarker(gl, graphics, eye);
+  }
+
+  private programOf(gl: WebGL2RenderingContext, graphics: Graphics, name: ObjectName | "flat"): Program {
+    const key = `#define ${name.toUpperCase()}\n${this.defines}`;
+    const known = graphics.ofLut.get(key);
+    if (known) return known;
+    const made =
+      name === "flat"
+        ? new Program(gl, shaders.vertexOfScreen, shaders.fragmentOfFlat(this.snippet, key))
+        : new Program(gl, shaders.vertexOfObject, shaders.fragmentOfObject(this.snippet, key));
+    graphics.ofLut.set(key, made);
+    return made;
   }
 
   private drawMarker(gl: WebGL2RenderingContext, graphics: Graphics, eye: Eye): void {
@@ -231,8 +241,7 @@ export class OutputView {
       fixedRow: settings.row ?? -1,
       roughness: settings.roughness,
       exposure: settings.exposure,
-      gain: this.name === "bubble" ? 2 * this.gain : this.gain,
-      object: this.name === "bubble" ? 1 : 0,
+      gain: this.gain * (this.name === "bubble" ? 2 : this.name === "wing" ? 1.5 : 1),
       board: isBoard ? 1 : 0,
       boardFacing: eye.forward,
       boardAcross: eye.right,
@@ -240,7 +249,7 @@ export class OutputView {
   }
 
   private turned(right: number, up: number): void {
-    const isAboveFloor = shownObject(this.name).shade[0] > 0;
+    const isAboveFloor = shownObject(this.name).shade[0] > 0.01;
     this.turn = (this.turn + right) % 360;
     this.pitch = clamped(this.pitch - up, isAboveFloor ? -2 : -75, 85);
     this.draw();

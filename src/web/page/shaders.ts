@@ -2,62 +2,52 @@
 
 import { parts } from "./shader_parts";
 
-/** Room and light. The room is a formula: lights are rectangles far away whose edges a rough surface makes wider, so that
- *  nothing has to be filtered beforehand. Luminances are relative to the brightest light, and chosen by eye. */
-const room = `
-uniform vec3 light;           // direction to the light
-uniform float environment;    // 1: the room is lit
-uniform mat2 roomTurn;
-uniform float floorAt;
-uniform vec2 shadeSize;       // of the object's shade on the floor
-uniform mat2 shadeTurn;
-const vec3 towards[4] = vec3[](vec3(0.177, 0.984, 0.0), vec3(-0.60, 0.36, 0.713), vec3(0.9975, 0.05, 0.05),
-                               vec3(-0.799, 0.04, -0.60));
-const vec4 sizes[4] = vec4[](vec4(0.75, 0.42, 0.95, 0.0), vec4(0.40, 0.30, 1.0, 0.0), vec4(0.16, 0.55, 0.75, 0.0),
-                             vec4(0.12, 0.70, 0.65, 0.0));   // half across, half along, luminance
+const head = "#version 300 es\nprecision highp float;\nprecision highp int;\n";
 
-float ramp(float t, float width) {
-  float x = clamp(t / width, -1.0, 1.0);
+/** Room and light. The room is a formula: lights are rectangles far away whose edges a rough surface makes wider, so that
+ *  nothing has to be filtered beforehand. Luminances are relative to the brightest light; all is chosen by eye. */
+const room = `
+uniform vec3 eye, light;      // light: the direction to it
+uniform float environment;    // 1: the room is lit
+uniform float exposure, floorAt, board;
+uniform vec3 boardFacing, boardAcross;
+uniform vec2 shadeSize;       // of the object's shade on the floor
+uniform mat2 roomTurn, shadeTurn;
+const vec3 towards[4] = vec3[](vec3(0.177, 0.984, 0.0), vec3(-0.6, 0.36, 0.714), vec3(0.9975, 0.05, 0.05),
+                               vec3(-0.799, 0.05, -0.599));
+const vec3 across[4] = vec3[](vec3(0.0, 0.0, -1.0), vec3(0.766, 0.0, 0.643), vec3(0.05, 0.0, -0.9987),
+                              vec3(-0.6, 0.0, 0.8));
+const vec3 sizes[4] = vec3[](vec3(0.75, 0.42, 0.95), vec3(0.40, 0.30, 1.0), vec3(0.16, 0.55, 0.75),
+                             vec3(0.12, 0.70, 0.65));   // half across, half along, luminance
+vec2 ramp(vec2 t, vec2 width) {
+  vec2 x = clamp(t / width, -1.0, 1.0);
   return 0.5 + x * (0.75 - 0.25 * x * x);
 }
-float box(float t, float half_, float width) { return ramp(t + half_, width) - ramp(t - half_, width); }
-
-float wall(vec3 way) {
-  float front = 0.5 + 0.5 * way.z;
-  return mix(0.045, 0.5, front * front);
-}
+float wall(vec3 way) { float front = 0.5 + 0.5 * way.z; return mix(0.045, 0.5, front * front); }
 float floorSeen(vec3 from, vec3 way) {
-  float distance_ = max(from.y - floorAt, 0.0) / max(-way.y, 1e-4);
-  vec2 foot = from.xz + distance_ * way.xz;
-  vec2 inShade = shadeTurn * foot / max(shadeSize, 1e-3);
-  float shade = shadeSize.x > 0.0 ? pow(1.0 + dot(inShade, inShade), -1.5) : 0.0;
-  // Close to the foot it gets darker still.
-  shade = 1.0 - (1.0 - shade) * (1.0 - 0.75 * exp(-2.5 * pow(dot(inShade, inShade), 1.5)) * step(1e-6, shadeSize.x));
-  float far = 1.0 - exp(-dot(foot, foot) / 49.0);
-  float lit = mix(0.10, 0.36, ramp((roomTurn * foot).y - 3.0, 3.0));
-  return mix(lit * (1.0 - shade), wall(way), far);
+  vec2 foot = from.xz + max(from.y - floorAt, 0.0) / max(-way.y, 1e-4) * way.xz;
+  vec2 inShade = shadeTurn * foot / shadeSize;
+  float near = dot(inShade, inShade) + 1.0;
+  float open = (1.0 - inversesqrt(near) / near) * (1.0 - 0.6 * exp(2.2 - 2.2 * near));
+  float lit = mix(0.10, 0.36, ramp(vec2((roomTurn * foot).y - 3.0), vec2(3.0)).x);
+  return mix(wall(way), lit * open, exp(-dot(foot, foot) / 49.0));
 }
 /** @param blur  standard deviation of the directions that a rough surface mirrors, in radians */
 float studio(vec3 from, vec3 way, float blur) {
   float width = sqrt(5.0 * (1.44e-4 + blur * blur));
-  vec3 turned = vec3(way.x, way.y, way.z);
-  turned.xz = roomTurn * way.xz;
-  float sky = wall(turned);
+  way.xz = roomTurn * way.xz;
+  float sky = wall(way);
   for (int i = 0; i < 4; ++i) {
-    float ahead = dot(turned, towards[i]);
-    if (ahead < 0.05) continue;
-    vec3 across = normalize(cross(vec3(0.0, 1.0, 0.0), towards[i]));
-    vec2 at = vec2(dot(turned, across), dot(turned, cross(towards[i], across))) / ahead / sizes[i].xy;
-    float falloff = 1.0 - 0.15 * min(dot(at, at), 2.0);
-    sky += sizes[i].z * falloff * box(at.x, 1.0, width / sizes[i].x) * box(at.y, 1.0, width / sizes[i].y);
+    float ahead = max(dot(way, towards[i]), 0.05);
+    vec2 at = vec2(dot(way, across[i]), dot(way, cross(towards[i], across[i]))) / (ahead * sizes[i].xy);
+    vec2 inside = ramp(at + 1.0, width / sizes[i].xy) - ramp(at - 1.0, width / sizes[i].xy);
+    sky += sizes[i].z * (1.0 - 0.15 * min(dot(at, at), 2.0)) * inside.x * inside.y * step(0.051, ahead);
   }
-  float above = ramp(way.y, max(width, 0.03));
-  return environment * mix(floorSeen(from, vec3(turned.x, way.y, turned.z)), sky, above);
+  return environment * mix(floorSeen(from, way), sky, ramp(vec2(way.y), vec2(max(width, 0.03))).x);
 }
 /** What a white matte surface shows. */
 float irradiance(vec3 N) {
-  vec3 n = N;
-  n.xz = roomTurn * N.xz;
+  vec3 n = vec3(roomTurn * N.xz, N.y).xzy;
   float seen = mix(0.1, 0.13, 0.5 + 0.5 * n.y);
   for (int i = 0; i < 4; ++i) {
     float facing = max(0.25 + 0.75 * dot(n, towards[i]), 0.0);
@@ -65,14 +55,13 @@ float irradiance(vec3 N) {
   }
   return environment * seen + 0.5 * max(dot(N, light), 0.0);
 }
-vec3 backdrop(vec3 from, vec3 way) {
+float backdrop(vec3 way) {
   if (board > 0.5) {
-    float depth = 3.0 / max(dot(way, boardFacing), 0.05);
-    vec3 at = way * depth;
-    vec2 squares = floor(vec2(dot(at, boardAcross), at.y) / 0.48);
-    return vec3(mod(squares.x + squares.y, 2.0) < 0.5 ? 0.30 : 0.10);
+    vec3 at = way / max(dot(way, boardFacing), 0.05);
+    vec2 squares = floor(vec2(dot(at, boardAcross), dot(at, cross(boardAcross, boardFacing))) / 0.05);
+    return mod(squares.x + squares.y, 2.0) < 0.5 ? 0.30 : 0.13;
   }
-  return vec3(max(studio(from, way, 0.05), 0.03));
+  return max(environment * mix(floorSeen(eye, way), wall(way), ramp(vec2(way.y), vec2(0.1)).x), 0.03);
 }`;
 
 /** From linear Rec.709 to what the canvas holds. What is brighter than white keeps its hue as long as it can. */
@@ -84,148 +73,117 @@ vec3 encoded(vec3 c) {
 }
 vec3 shown(vec3 c) {
   c = max(toGamut * c, 0.0);
-  float most = max(max(c.r, c.g), c.b);
-  if (most <= 0.8) return encoded(c);
-  float rolled = 1.0 - 0.2 * exp(-(most - 0.8) / 0.2);
-  float white = 1.0 - exp(-0.09 * (most - 0.8));
-  return encoded(mix(c * rolled / most, vec3(rolled), white));
+  float most = max(max(c.r, c.g), max(c.b, 0.8));
+  float rolled = 1.0 - 0.2 * exp(5.0 * (0.8 - most));
+  return encoded(most > 0.8 ? mix(c * rolled / most, vec3(rolled), 1.0 - exp(0.09 * (0.8 - most))) : c);
 }`;
 
-const lutCoordinates = `
-uniform highp sampler2D lut;
-uniform highp sampler2D lutThrough;
+/** AXIS_X and AXIS_Y are of axisKind() in graphics.ts; QUANTITY is 0 for mirrors, 1 for gratings, 2 for scattering. */
+const lutAxes = `
+uniform highp sampler2D lut, lutThrough;
 uniform float hasThrough;
 uniform mat3 toRec709;
-uniform ivec2 axes;           // see axisKind in output.ts
 uniform vec4 ranges;
 uniform float fixedRow;       // of a parameter; negative: it runs over the surface
-uniform int quantity;         // 0 mirrored, 1 grating, 2 scattering
 struct Seen { float cosine, u, azimuth, scatter, row, roughness; };
-
 float coordinate(int axis, vec2 range, Seen s) {
-  switch (axis) {
-    case 0: return nacre_sqrt_cos_theta(s.cosine);
-    case 1: return nacre_cos_theta(s.cosine);
-    case 2: return nacre_theta_deg(s.cosine);
-    case 3: return nacre_grating_u(s.u);
-    case 4: return nacre_cos_scatter(s.scatter);
-    case 5: return nacre_parameter(s.azimuth, range.x, range.y);
-    case 6: return nacre_parameter(s.roughness, range.x, range.y);
-    default: return fixedRow < 0.0 ? s.row : fixedRow;
-  }
+  if (axis == 0) return nacre_sqrt_cos_theta(s.cosine);
+  if (axis == 1) return nacre_cos_theta(s.cosine);
+  if (axis == 2) return nacre_theta_deg(s.cosine);
+  if (axis == 3) return nacre_grating_u(s.u);
+  if (axis == 4) return nacre_cos_scatter(s.scatter);
+  if (axis == 5) return nacre_parameter(s.azimuth, range.x, range.y);
+  if (axis == 6) return nacre_parameter(s.roughness, range.x, range.y);
+  return fixedRow < 0.0 ? s.row : fixedRow;
 }
-vec2 placeOf(Seen s) { return vec2(coordinate(axes.x, ranges.xy, s), coordinate(axes.y, ranges.zw, s)); }
+vec2 placeOf(Seen s) { return vec2(coordinate(AXIS_X, ranges.xy, s), coordinate(AXIS_Y, ranges.zw, s)); }
 vec3 mirrored(Seen s) { vec2 p = placeOf(s); return toRec709 * nacre_fetch(lut, p.x, p.y); }
 vec3 letThrough(Seen s, vec3 r) {
   vec2 p = placeOf(s);
-  return hasThrough > 0.5 ? toRec709 * nacre_fetch(lutThrough, p.x, p.y) : max(1.0 - max(r, 0.0), 0.0);
+  return hasThrough > 0.5 ? max(toRec709 * nacre_fetch(lutThrough, p.x, p.y), 0.0) : max(1.0 - r, 0.0);
 }`;
 
 const lit = `
 uniform mat3 turn;            // of the object
-uniform vec3 eye;
-uniform float roughness;
-uniform float gain;
-uniform int object;           // 1: a bubble, which one sees through
+uniform float roughness, gain;
 in vec3 at, turnedNormal, still;
 flat in float kind;
 in vec4 own;
 out vec4 colour;
-
-struct Surface { vec3 N; float share; vec3 albedo; float f0; float roughness; float shade; float row; vec3 across; };
-
+struct Surface { vec3 N, albedo, across; float share, f0, roughness, shade, row; };
+${parts}
 float blurOf(float r) { return 0.9 * r * r; }
 
+/** luts/README.md's punctual light with what the LUT, and what clear coats mirror. */
 vec3 ofLight(Surface s, vec3 V, Seen seen) {
   float nl = clamp(dot(s.N, light), 0.0, 1.0), nv = clamp(dot(s.N, V), 1e-3, 1.0);
   vec3 h = normalize(light + V);
   float nh = clamp(dot(s.N, h), 0.0, 1.0);
-  float a = max(s.roughness * s.roughness, 0.03);    // the light is a ball of some degrees
-  float a2 = a * a;
-  float d = a2 / (3.14159265 * pow(nh * nh * (a2 - 1.0) + 1.0, 2.0));
+  float a = max(s.roughness * s.roughness, 0.03), a2 = a * a;    // the light is a ball of some degrees
+  float t = nh * nh * (a2 - 1.0) + 1.0;
   float smith = nl * sqrt(nv * nv * (1.0 - a2) + a2) + nv * sqrt(nl * nl * (1.0 - a2) + a2);
   seen.cosine = dot(V, h);
   seen.roughness = 0.0;
-  return (s.share * mirrored(seen) + s.f0) * d * nl * 0.5 / max(smith, 1e-6);
+  return (s.share * mirrored(seen) + s.f0) * nl * a2 / (6.2832 * t * t * max(smith, 1e-6));
 }
-vec3 lampDirection(int i) { vec3 to = towards[i]; to.xz = to.xz * roomTurn; return to; }
-
 /** Gratings and scattering: each lamp is a direction. */
 vec3 ofLamps(Surface s, vec3 V, Seen seen) {
-  vec3 sum = vec3(0.0);
-  vec3 along = cross(s.N, s.across);
+  vec3 sum = vec3(0.0), along = cross(s.N, s.across);
   for (int i = 0; i < 5; ++i) {
-    vec3 L = i < 4 ? lampDirection(i) : light;
-    float strength = i < 4 ? environment * 4.0 * sizes[i].x * sizes[i].y * sizes[i].z : 1.0;
+    int lamp = min(i, 3);
+    vec3 L = i == 4 ? light : vec3(towards[lamp].xz * roomTurn, towards[lamp].y).xzy;
     float nl = clamp(dot(s.N, L), 0.0, 1.0);
-    vec3 p = L + V;
-    if (quantity == 2) {
-      seen.scatter = dot(-L, V);
-      sum += mirrored(seen) * strength * nl / (12.566 * (nl + max(dot(s.N, V), 1e-3)));
-      continue;
-    }
-    float u = dot(p, s.across), w = dot(p, along);
-    bool rows = axes.y == 5;
-    seen.u = rows ? length(vec2(u, w)) : u;
+    float strength = nl * (i == 4 ? 1.0 : environment * 4.0 * sizes[lamp].x * sizes[lamp].y * sizes[lamp].z);
+    float u = dot(L + V, s.across), w = dot(L + V, along), stray = mix(0.13, 0.3, s.roughness);
+    seen.scatter = dot(-L, V);
+    seen.u = AXIS_Y == 5 ? length(vec2(u, w)) : u;
     seen.azimuth = degrees(atan(abs(w), abs(u)));
-    float stray = mix(0.13, 0.3, s.roughness);
-    float g = rows ? 90.0 : exp(-0.5 * w * w / (stray * stray)) / (2.5066 * stray);
-    sum += mirrored(seen) * strength * nl * g;
+    float g = AXIS_Y == 5 ? 90.0 : exp(-0.5 * w * w / (stray * stray)) / (2.5066 * stray);
+    if (QUANTITY == 2) g = 1.0 / (12.566 * (nl + max(dot(s.N, V), 1e-3)));
+    sum += mirrored(seen) * strength * g;
   }
   return sum;
 }
+/** Front and back of a ball, and what is behind it: the way through thin walls is straight. */
 vec3 bubble(Surface s, vec3 V) {
-  vec3 away = -V, back = reflect(-s.N, away);
-  Seen front = Seen(dot(s.N, V), 0.0, 0.0, -1.0, 0.5 - 0.5 * s.N.y, s.roughness);
-  Seen far = front;
-  vec3 leaves = at + 2.0 * front.cosine * away;
+  Seen front = Seen(dot(s.N, V), 0.0, 0.0, -1.0, 0.5 - 0.5 * at.y, s.roughness), far = front;
+  vec3 leaves = at - 2.0 * front.cosine * V;
   far.row = 0.5 - 0.5 * leaves.y;
   vec3 r = max(mirrored(front), 0.0), rFar = max(mirrored(far), 0.0);
-  vec3 t = max(letThrough(front, r), 0.0), tFar = max(letThrough(far, rFar), 0.0);
-  float b = blurOf(s.roughness);
-  vec3 mirror = reflect(away, s.N);
-  vec3 inner = reflect(away, -leaves);
-  vec3 seen = gain * (r * studio(at, mirror, b) + t * tFar * rFar * studio(leaves, inner, b));
-  seen += gain * ofLight(s, V, front);
+  vec3 both = letThrough(front, r) * letThrough(far, rFar);
+  float blur = blurOf(s.roughness);
+  vec3 seen = r * studio(at, reflect(-V, s.N), blur) + both * rFar * studio(leaves, reflect(-V, leaves), blur);
+  seen += ofLight(s, V, front);
   s.N = -leaves;
-  seen += gain * t * tFar * ofLight(s, V, far);
-  return seen + t * tFar / max(1.0 - r * rFar, 1e-3) * backdrop(eye, away);
+  seen += both * ofLight(s, V, far);
+  return gain * seen + both / max(1.0 - r * rFar, 1e-3) * backdrop(-V);
 }
-vec3 seenOf(Surface s, vec3 V) {
+vec3 opaque(Surface s, vec3 V) {
   Seen seen = Seen(dot(s.N, V), 0.0, 0.0, -1.0, s.row, s.roughness);
-  vec3 mirror = reflect(-V, s.N);
-  float sky = studio(at, mirror, blurOf(s.roughness));
-  float nv = clamp(dot(s.N, V), 0.0, 1.0);
-  float f = s.f0 + (1.0 - s.f0) * pow(1.0 - nv, 5.0) * step(1e-4, s.f0) * (1.0 - s.roughness);
+  float sky = studio(at, reflect(-V, s.N), blurOf(s.roughness));
+  float away = 1.0 - clamp(dot(s.N, V), 0.0, 1.0);
+  float f = s.f0 + (1.0 - s.f0) * away * away * away * away * away * step(1e-4, s.f0) * (1.0 - s.roughness);
   vec3 rest = s.albedo * irradiance(s.N) + f * (1.0 - s.share) * sky;
   s.f0 *= 1.0 - s.share;
-  if (quantity == 0) return gain * (s.share * mirrored(seen) * sky + ofLight(s, V, seen)) * s.shade + rest * s.shade;
-  vec3 own_ = s.share * gain * ofLamps(s, V, seen);
-  float metal = quantity == 1 ? 0.09 * s.share * sky : 0.0;
-  return (own_ + metal + rest) * s.shade;
+#if QUANTITY == 0
+  return s.shade * (gain * (s.share * mirrored(seen) * sky + ofLight(s, V, seen)) + rest);
+#else
+  return s.shade * (s.share * (gain * ofLamps(s, V, seen) + (QUANTITY == 1 ? 0.09 * sky : 0.0)) + rest);
+#endif
 }
 void main() {
   vec3 V = normalize(eye - at), N = normalize(turnedNormal);
   if (dot(N, V) < 0.0) N = -N;
   vec3 axis = normalize(vec3(0.18, 0.52, 0.84));    // the grooves of things that are no disc are circles around it
-  Surface s = Surface(N, 1.0, vec3(0.0), 0.0, roughness, 1.0, 0.5 - 0.5 * still.y, normalize(axis - dot(axis, N) * N));
-  int part = int(kind + 0.5);
-  if (part == 1 || part == 2 || part == 7) plain(s, part);
-  if (part == 3) wing(s);
-  if (part == 4) elytron(s);
-  if (part == 5) car(s);
-  if (part == 6) disc(s);
-  colour = vec4(shown(exp2(exposure) * (object == 1 ? bubble(s, V) : seenOf(s, V))), 1.0);
+  vec3 across_ = normalize(axis - dot(axis, N) * N);
+  Surface s = Surface(N, vec3(0.0), across_, 1.0, 0.0, roughness, 1.0, 0.5 - 0.5 * still.y);
+  partOf(s, int(kind + 0.5));
+#ifdef BUBBLE
+  colour = vec4(shown(exp2(exposure) * bubble(s, V)), 1.0);
+#else
+  colour = vec4(shown(exp2(exposure) * opaque(s, V)), 1.0);
+#endif
 }`;
-
-const head = `#version 300 es
-precision highp float;
-precision highp int;
-`;
-const common = `
-uniform float exposure;
-uniform float board;
-uniform vec3 boardFacing, boardAcross;`;
 
 export const vertexOfObject = `${head}
 uniform mat4 view;
@@ -245,7 +203,6 @@ void main() {
   own = local;
   gl_Position = view * vec4(at, 1.0);
 }`;
-
 export const vertexOfScreen = `${head}
 out vec2 place;
 void main() {
@@ -253,22 +210,22 @@ void main() {
   gl_Position = vec4(place, 0.9999, 1.0);
 }`;
 
-export const fragmentOfObject = (snippet: string): string =>
-  head + snippet + lutCoordinates + common + room + screen + lit.replace("void main()", `${parts}\nvoid main()`);
+/** @param defines  the object's name in capitals, AXIS_X, AXIS_Y, QUANTITY: what is not needed is not compiled. */
+export const fragmentOfObject = (snippet: string, defines: string): string =>
+  head + defines + snippet + lutAxes + room + screen + lit;
 
-export const fragmentOfRoom = `${head}${common}${room}${screen}
-uniform vec3 eye;
+export const fragmentOfRoom = `${head}${room}${screen}
 uniform mat3 camera;          // right and up, as long as half the picture, and forward
 in vec2 place;
 out vec4 colour;
 void main() {
-  vec3 c = shown(backdrop(eye, normalize(camera * vec3(place, 1.0))));
+  vec3 c = shown(vec3(backdrop(normalize(camera * vec3(place, 1.0)))));
   // A little noise, less than a code, hides the steps of the gradient.
   colour = vec4(c + (fract(52.98 * fract(dot(gl_FragCoord.xy, vec2(0.0671, 0.00584)))) - 0.5) / 255.0, 1.0);
 }`;
 
 /** The LUT's colour at an angle, on the whole canvas, as it is: no light, no exposure. */
-export const fragmentOfFlat = (snippet: string): string => `${head}${snippet}${lutCoordinates}${screen}
+export const fragmentOfFlat = (snippet: string, defines: string): string => `${head}${defines}${snippet}${lutAxes}${screen}
 uniform float cosine;
 out vec4 colour;
 void main() {
@@ -276,7 +233,7 @@ void main() {
   colour = vec4(encoded(toGamut * mirrored(s)), 1.0);
 }`;
 
-/** Where the light is: a small ring with a soft core. */
+/** Where the light is: a small ring with a core. */
 export const vertexOfMarker = `${head}
 uniform vec3 marker;          // on the screen, and the diameter in pixels
 void main() {
@@ -287,10 +244,7 @@ export const fragmentOfMarker = `${head}
 uniform float strength;
 out vec4 colour;
 void main() {
-  float r = 2.0 * length(gl_PointCoord - 0.5);
-  float edge = fwidth(r);
-  float ring = smoothstep(0.12 + edge, 0.12, abs(r - 0.8)) * 0.8, core = smoothstep(0.42 + edge, 0.42, r);
-  float dark = smoothstep(1.0, 0.7, r) * 0.35;
-  float a = max(max(ring, core), dark) * strength;
-  colour = vec4(vec3(max(ring, core) * strength), a);
+  float r = 2.0 * length(gl_PointCoord - 0.5), edge = fwidth(r);
+  float ink = max(0.8 * smoothstep(0.12 + edge, 0.12, abs(r - 0.8)), smoothstep(0.42 + edge, 0.42, r));
+  colour = strength * vec4(vec3(ink), max(ink, 0.35 * smoothstep(1.0, 0.7, r)));
 }`;

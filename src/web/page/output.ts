@@ -2,9 +2,9 @@
 // moves the light. `data-frame` of the canvas counts the pictures that are done.
 
 import type { BakedLut } from "./api";
-import { clamped, direction, eyeOf, listen, onPicture, viewMatrix } from "./camera";
-import type { Eye } from "./camera";
-import { DrawnMesh, Program, uniformsOf, uploadLut } from "./graphics";
+import { clamped, direction, Eye, listen } from "./camera";
+import { describe, drawn, program, uploadLut } from "./graphics";
+import type { Uniforms, Use } from "./graphics";
 import { shownObject } from "./objects";
 import type { ObjectName } from "./objects";
 import * as shaders from "./shaders";
@@ -25,31 +25,24 @@ export interface OutputSettings {
   flat: number | null;
 }
 
-interface Graphics {
-  room: Program;
-  /** Of an object or "flat", and the LUT's axes. */
-  ofLut: Map<string, Program>;
-  marker: Program;
-  meshes: Map<ObjectName, DrawnMesh>;
-  textures: WebGLTexture[];
-}
-
 const identity = [1, 0, 0, 0, 1, 0, 0, 0, 1];
 // From linear Rec.709 to linear Display P3, from the primaries of both; column by column.
-const toDisplayP3 = [0.8224620, 0.0331942, 0.0170826, 0.1775380, 0.9668058, 0.0723974, 0, 0, 0.9105199];
+const toDisplayP3 = [0.822462, 0.0331942, 0.0170826, 0.177538, 0.9668058, 0.0723974, 0, 0, 0.9105199];
+const scaleOfScreen = (): number => Math.min(devicePixelRatio, 2);
 
 export class OutputView {
   private readonly gl: WebGL2RenderingContext | null;
-  private graphics: Graphics | undefined;
+  /** Programs and meshes by name, made when they are first needed. */
+  private readonly programs = new Map<string, Use>();
+  private readonly meshes = new Map<ObjectName, () => void>();
+  private textures: WebGLTexture[] = [];
   private settings: OutputSettings = {
     environment: true, roughness: 0.2, exposure: 0, light: [-40, 50], background: "auto", row: null, flat: null,
   };
   private name: ObjectName = "sphere";
   private lut: BakedLut | null = null;
   private through: BakedLut | undefined;
-  private ofLut: Record<string, number | number[]> = {};
-  private gain = 1;
-  private defines = "";
+  private described: ReturnType<typeof describe> | undefined;
   private turn = 0;
   private pitch = 8;
   private zoom = 1;
@@ -57,41 +50,32 @@ export class OutputView {
   private frames = 0;
 
   constructor(private readonly canvas: HTMLCanvasElement, private readonly snippet: string) {
-    this.gl = canvas.getContext("webgl2", { antialias: true, alpha: false });
-    if (!this.gl) return;
-    canvas.addEventListener("webglcontextlost", (event) => {
-      event.preventDefault();
-      this.graphics = undefined;
-    });
+    this.gl = canvas.getContext("webgl2", { alpha: false });
+    canvas.addEventListener("webglcontextlost", (event) => event.preventDefault());
     canvas.addEventListener("webglcontextrestored", () => {
-      this.prepare();
-      this.draw();
-    });
-    this.prepare();
-    listen(canvas, {
-      turned: (right, up) => this.turned(right, up),
-      zoomed: (factor) => this.zoomed(factor),
-      lightMoved: (right, up) => this.lightMoved(right, up),
-      reset: () => this.setObject(this.name),
-      isOnLight: (x, y) => this.isOnLight(x, y),
+      this.programs.clear();
+      this.meshes.clear();
+      this.setLut(this.lut, this.through);
     });
     new ResizeObserver(() => this.draw()).observe(canvas);
+    if (this.gl && matchMedia("(color-gamut: p3)").matches) this.gl.drawingBufferColorSpace = "display-p3";
+    if (this.gl) listen(canvas, this);
   }
 
   /** What is mirrored, and what passes, if the scene says so. */
   setLut(reflected: BakedLut | null, transmitted?: BakedLut): void {
-    this.lut = reflected;
-    this.through = transmitted;
-    this.upload();
+    [this.lut, this.through] = [reflected, transmitted];
+    for (const texture of this.textures) this.gl?.deleteTexture(texture);
+    const both = reflected ? [reflected, transmitted ?? reflected] : [];
+    this.textures = this.gl ? both.map((lut, unit) => uploadLut(this.gl!, unit, lut)) : [];
+    this.described = reflected ? describe(reflected, transmitted !== undefined) : undefined;
     this.draw();
   }
 
   /** Shows an object as it is first seen. */
   setObject(name: ObjectName): void {
-    const object = shownObject(name);
     this.name = name;
-    this.turn = object.turn;
-    this.pitch = object.pitch;
+    ({ turn: this.turn, pitch: this.pitch } = shownObject(name));
     this.zoom = 1;
     this.draw();
   }
@@ -109,127 +93,115 @@ export class OutputView {
   drawNow(): void {
     cancelAnimationFrame(this.request);
     this.request = 0;
-    this.fitCanvas();
-    if (!this.gl) this.sayThatThereIsNone();
-    else if (this.graphics && !this.gl.isContextLost()) this.drawWith(this.gl, this.graphics);
-    this.canvas.dataset.frame = String(++this.frames);
+    const { canvas, gl } = this;
+    const [width, height] = [canvas.clientWidth, canvas.clientHeight].map((side) => Math.round(side * scaleOfScreen()) || 1);
+    if (canvas.width !== width) canvas.width = width!;
+    if (canvas.height !== height) canvas.height = height!;
+    if (!gl) this.sayThatThereIsNone();
+    else if (!gl.isContextLost()) this.drawWith(gl);
+    canvas.dataset.frame = String(++this.frames);
   }
 
   /** Red, green, blue and alpha, from 0 to 255, of the pixel at a place in CSS pixels from the upper left. */
   readPixel(x: number, y: number): number[] {
     this.drawNow();
     const pixel = new Uint8Array(4);
-    const scale = this.canvas.width / Math.max(this.canvas.clientWidth, 1);
+    const [column, row] = [x, y].map((at) => Math.floor(at * scaleOfScreen()));
     const { gl } = this;
-    gl?.readPixels(Math.floor(x * scale), this.canvas.height - 1 - Math.floor(y * scale), 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, pixel);
+    gl?.readPixels(column!, this.canvas.height - 1 - row!, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, pixel);
     return [...pixel];
   }
 
-  private prepare(): void {
-    const gl = this.gl!;
-    if (gl.isContextLost()) return;
-    const isWide = "drawingBufferColorSpace" in gl && matchMedia("(color-gamut: p3)").matches;
-    if (isWide) gl.drawingBufferColorSpace = "display-p3";
-    this.graphics = {
-      room: new Program(gl, shaders.vertexOfScreen, shaders.fragmentOfRoom),
-      ofLut: new Map(),
-      marker: new Program(gl, shaders.vertexOfMarker, shaders.fragmentOfMarker),
-      meshes: new Map(),
-      textures: [],
-    };
-    gl.enable(gl.DEPTH_TEST);
-    gl.depthFunc(gl.LEQUAL);
-    gl.blendFunc(gl.ONE, gl.ONE_MINUS_SRC_ALPHA);
-    this.upload();
+  turned(right: number, up: number): void {
+    this.turn = (this.turn + right) % 360;
+    this.pitch = clamped(this.pitch - up, shownObject(this.name).shade[0] > 0.01 ? -2 : -75, 85); // not below the floor
+    this.draw();
   }
 
-  private upload(): void {
-    const { gl, graphics, lut, through } = this;
-    if (!gl || !graphics || !lut) return;
-    for (const texture of graphics.textures) gl.deleteTexture(texture);
-    graphics.textures = [uploadLut(gl, 0, lut), uploadLut(gl, 1, through ?? lut)];
-    ({ uniforms: this.ofLut, gain: this.gain, defines: this.defines } = uniformsOf(lut, through !== undefined));
+  zoomed(factor: number): void {
+    this.zoom = clamped(this.zoom * factor, 0.4, 8);
+    this.draw();
   }
 
-  private fitCanvas(): void {
-    const scale = Math.min(devicePixelRatio, 2);
-    const [width, height] = [this.canvas.clientWidth, this.canvas.clientHeight].map((side) => Math.max(1, Math.round(side * scale)));
-    if (this.canvas.width !== width) this.canvas.width = width!;
-    if (this.canvas.height !== height) this.canvas.height = height!;
+  /** The page hears of it by the event "lightmoved", whose detail is the new light. */
+  lightMoved(right: number, up: number): void {
+    const [around, height] = this.settings.light;
+    const light: [number, number] = [((around + right + 540) % 360) - 180, clamped(height + up, -10, 90)];
+    this.set({ light });
+    this.canvas.dispatchEvent(new CustomEvent("lightmoved", { detail: light }));
+  }
+
+  reset(): void {
+    this.setObject(this.name);
+  }
+
+  isOnLight(x: number, y: number): boolean {
+    const [right, up] = this.eye().onPicture(this.lightAt());
+    const { clientWidth: width, clientHeight: height } = this.canvas;
+    return Math.hypot(x - (0.5 + 0.5 * right) * width, y - (0.5 - 0.5 * up) * height) < 16;
   }
 
   private sayThatThereIsNone(): void {
     const context = this.canvas.getContext("2d");
     if (!context) return;
+    context.font = `${14 * scaleOfScreen()}px system-ui, sans-serif`;
     context.fillStyle = "#888888";
-    context.font = `${16 * Math.min(devicePixelRatio, 2)}px system-ui, sans-serif`;
-    context.textAlign = "center";
-    context.clearRect(0, 0, this.canvas.width, this.canvas.height);
-    context.fillText("This browser has no WebGL 2, so the lit object is not shown.", this.canvas.width / 2, this.canvas.height / 2);
+    context.fillText("This browser has no WebGL 2, so the lit object is not shown.", 20, this.canvas.height / 2);
   }
 
-  private drawWith(gl: WebGL2RenderingContext, graphics: Graphics): void {
+  private drawWith(gl: WebGL2RenderingContext): void {
     gl.viewport(0, 0, this.canvas.width, this.canvas.height);
     gl.clear(gl.DEPTH_BUFFER_BIT | gl.COLOR_BUFFER_BIT);
-    const toGamut = gl.drawingBufferColorSpace === "display-p3" ? toDisplayP3 : identity;
-    if (this.settings.flat !== null && this.lut) {
-      const cosine = Math.cos((this.settings.flat * Math.PI) / 180);
-      this.programOf(gl, graphics, "flat").use({ ...this.ofLut, fixedRow: this.settings.row ?? 0.5, cosine, toGamut });
+    const { settings, described, name } = this;
+    const eye = this.eye();
+    const uniforms = { ...described?.uniforms, ...this.uniforms(eye) };
+    if (described && settings.flat !== null) {
+      this.program("FLAT", described.defines)({ ...uniforms, cosine: Math.cos((settings.flat * Math.PI) / 180) });
       gl.drawArrays(gl.TRIANGLES, 0, 3);
       return;
     }
-    const eye = this.eye();
-    const uniforms = { ...this.uniforms(eye), toGamut };
-    if (this.lut) {
-      this.programOf(gl, graphics, this.name).use({ ...this.ofLut, ...uniforms });
-      const mesh = graphics.meshes.get(this.name) ?? new DrawnMesh(gl, shownObject(this.name).mesh);
-      graphics.meshes.set(this.name, mesh);
-      mesh.draw();
+    gl.enable(gl.DEPTH_TEST);
+    if (described) {
+      this.program(name.toUpperCase(), described.defines)(uniforms);
+      if (!this.meshes.has(name)) this.meshes.set(name, drawn(gl, shownObject(name).mesh));
+      this.meshes.get(name)!();
     }
-    const camera = [...eye.right.map((v) => v * eye.half[0]), ...eye.up.map((v) => v * eye.half[1]), ...eye.forward];
-    graphics.room.use({ ...uniforms, camera, roomTurn: [1, 0, 0, 1] });
+    this.program("ROOM", "")({ ...uniforms, roomTurn: [1, 0, 0, 1] });
     gl.drawArrays(gl.TRIANGLES, 0, 3);
-    this.drawMarker(gl, graphics, eye);
-  }
-
-  private programOf(gl: WebGL2RenderingContext, graphics: Graphics, name: ObjectName | "flat"): Program {
-    const key = `#define ${name.toUpperCase()}\n${this.defines}`;
-    const known = graphics.ofLut.get(key);
-    if (known) return known;
-    const made =
-      name === "flat"
-        ? new Program(gl, shaders.vertexOfScreen, shaders.fragmentOfFlat(this.snippet, key))
-        : new Program(gl, shaders.vertexOfObject, shaders.fragmentOfObject(this.snippet, key));
-    graphics.ofLut.set(key, made);
-    return made;
-  }
-
-  private drawMarker(gl: WebGL2RenderingContext, graphics: Graphics, eye: Eye): void {
-    const isBehind = this.lightAt()[2] < -0.1;
-    graphics.marker.use({
-      marker: [...onPicture(eye, this.lightAt()), 20 * Math.min(devicePixelRatio, 2)],
-      strength: isBehind ? 0.25 : 0.6,
-    });
-    gl.enable(gl.BLEND);
     gl.disable(gl.DEPTH_TEST);
+    gl.enable(gl.BLEND);
+    gl.blendFunc(gl.ONE, gl.ONE_MINUS_SRC_ALPHA);
+    this.program("MARKER", "")(uniforms);
     gl.drawArrays(gl.POINTS, 0, 1);
     gl.disable(gl.BLEND);
-    gl.enable(gl.DEPTH_TEST);
+  }
+
+  private program(name: string, defines: string): Use {
+    const key = `#define ${name}\n${defines}`;
+    const known = this.programs.get(key) ?? program(this.gl!, ...shaders.sources(name, key, this.snippet));
+    this.programs.set(key, known);
+    return known;
   }
 
   private eye(): Eye {
-    return eyeOf(shownObject(this.name), this.pitch, this.zoom, this.canvas.width / this.canvas.height);
+    return new Eye(shownObject(this.name), this.pitch, this.zoom, this.canvas.width / this.canvas.height);
   }
 
-  private uniforms(eye: Eye): Record<string, number | number[]> {
-    const object = shownObject(this.name);
-    const { settings } = this;
+  /** Where the light's marker is, in space. */
+  private lightAt(): Point {
+    const distance = 1.12 * Math.min(shownObject(this.name).reach[1], 1.1);
+    return direction(this.settings.light).map((value) => distance * value) as Point;
+  }
+
+  private uniforms(eye: Eye): Uniforms {
+    const { settings, name } = this;
+    const object = shownObject(name);
     const [c, s] = [Math.cos((this.turn * Math.PI) / 180), Math.sin((this.turn * Math.PI) / 180)];
-    const isBall = this.name === "sphere" || this.name === "bubble";
-    const isBoard = settings.background === "auto" ? this.name === "bubble" && this.through : settings.background === "board";
+    const isBall = name === "sphere" || name === "bubble"; // looks the same from all sides: the room turns instead
+    const isBoard = settings.background === "auto" ? name === "bubble" && this.through : settings.background === "board";
     return {
-      view: viewMatrix(eye),
-      // A ball looks the same from all sides, so the room turns around it instead.
+      view: eye.matrix(),
+      camera: [...eye.right.map((v) => v * eye.half[0]), ...eye.up.map((v) => v * eye.half[1]), ...eye.forward],
       turn: isBall ? identity : [c, 0, -s, 0, 1, 0, s, 0, c],
       roomTurn: isBall ? [c, s, -s, c] : [1, 0, 0, 1],
       shadeTurn: [c, s, -s, c],
@@ -238,45 +210,14 @@ export class OutputView {
       environment: settings.environment ? 1 : 0,
       floorAt: object.floor,
       shadeSize: object.shade,
-      fixedRow: settings.row ?? -1,
+      fixedRow: settings.row ?? (settings.flat === null ? -1 : 0.5),
       roughness: settings.roughness,
-      exposure: settings.exposure,
-      gain: this.gain * (this.name === "bubble" ? 2 : this.name === "wing" ? 1.5 : 1),
+      brightness: 2 ** settings.exposure,
+      gain: (this.described?.gain ?? 1) * (name === "bubble" ? 2 : name === "wing" ? 1.5 : 1),
       board: isBoard ? 1 : 0,
-      boardFacing: eye.forward,
-      boardAcross: eye.right,
+      toGamut: this.gl?.drawingBufferColorSpace === "display-p3" ? toDisplayP3 : identity,
+      marker: [...eye.onPicture(this.lightAt()), 20 * scaleOfScreen()],
+      strength: this.lightAt()[2] < -0.1 ? 0.25 : 0.6,
     };
-  }
-
-  private turned(right: number, up: number): void {
-    const isAboveFloor = shownObject(this.name).shade[0] > 0.01;
-    this.turn = (this.turn + right) % 360;
-    this.pitch = clamped(this.pitch - up, isAboveFloor ? -2 : -75, 85);
-    this.draw();
-  }
-
-  private zoomed(factor: number): void {
-    this.zoom = clamped(this.zoom * factor, 0.4, 8);
-    this.draw();
-  }
-
-  /** The page hears of it by the event "lightmoved", whose detail is the new light. */
-  private lightMoved(right: number, up: number): void {
-    const [around, height] = this.settings.light;
-    const light: [number, number] = [((around + right + 540) % 360) - 180, clamped(height + up, -10, 90)];
-    this.set({ light });
-    this.canvas.dispatchEvent(new CustomEvent("lightmoved", { detail: light }));
-  }
-
-  /** Where the marker is, in space. */
-  private lightAt(): Point {
-    const distance = 1.12 * Math.min(shownObject(this.name).reach, 1.1);
-    return direction(this.settings.light).map((value) => distance * value) as Point;
-  }
-
-  private isOnLight(x: number, y: number): boolean {
-    const [right, up] = onPicture(this.eye(), this.lightAt());
-    const [width, height] = [this.canvas.clientWidth, this.canvas.clientHeight];
-    return Math.hypot(x - (0.5 + 0.5 * right) * width, y - (0.5 - 0.5 * up) * height) < 16;
   }
 }

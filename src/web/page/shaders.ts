@@ -2,15 +2,13 @@
 
 import { parts } from "./shader_parts";
 
-const head = "#version 300 es\nprecision highp float;\nprecision highp int;\n";
-
 /** Room and light. The room is a formula: lights are rectangles far away whose edges a rough surface makes wider, so that
  *  nothing has to be filtered beforehand. Luminances are relative to the brightest light; all is chosen by eye. */
 const room = `
 uniform vec3 eye, light;      // light: the direction to it
 uniform float environment;    // 1: the room is lit
-uniform float exposure, floorAt, board;
-uniform vec3 boardFacing, boardAcross;
+uniform float brightness, floorAt, board;
+uniform mat3 camera;          // right and up, as long as half the picture, and forward
 uniform vec2 shadeSize;       // of the object's shade on the floor
 uniform mat2 roomTurn, shadeTurn;
 const vec3 towards[4] = vec3[](vec3(0.177, 0.984, 0.0), vec3(-0.6, 0.36, 0.714), vec3(0.9975, 0.05, 0.05),
@@ -57,8 +55,8 @@ float irradiance(vec3 N) {
 }
 float backdrop(vec3 way) {
   if (board > 0.5) {
-    vec3 at = way / max(dot(way, boardFacing), 0.05);
-    vec2 squares = floor(vec2(dot(at, boardAcross), dot(at, cross(boardAcross, boardFacing))) / 0.05);
+    vec3 at = way * camera;
+    vec2 squares = floor(at.xy / at.z / vec2(length(camera[0]), length(camera[1])) / 0.05);
     return mod(squares.x + squares.y, 2.0) < 0.5 ? 0.30 : 0.13;
   }
   return max(environment * mix(floorSeen(eye, way), wall(way), ramp(vec2(way.y), vec2(0.1)).x), 0.03);
@@ -179,13 +177,13 @@ void main() {
   Surface s = Surface(N, vec3(0.0), across_, 1.0, 0.0, roughness, 1.0, 0.5 - 0.5 * still.y);
   partOf(s, int(kind + 0.5));
 #ifdef BUBBLE
-  colour = vec4(shown(exp2(exposure) * bubble(s, V)), 1.0);
+  colour = vec4(shown(brightness * bubble(s, V)), 1.0);
 #else
-  colour = vec4(shown(exp2(exposure) * opaque(s, V)), 1.0);
+  colour = vec4(shown(brightness * opaque(s, V)), 1.0);
 #endif
 }`;
 
-export const vertexOfObject = `${head}
+const vertexOfObject = `
 uniform mat4 view;
 uniform mat3 turn;
 layout(location = 0) in vec3 position;
@@ -196,26 +194,17 @@ out vec3 at, turnedNormal, still;
 flat out float kind;
 out vec4 own;
 void main() {
-  still = position;
-  at = turn * position;
-  turnedNormal = turn * normal;
-  kind = part;
-  own = local;
+  still = position, at = turn * position, turnedNormal = turn * normal, kind = part, own = local;
   gl_Position = view * vec4(at, 1.0);
 }`;
-export const vertexOfScreen = `${head}
+/** The whole screen, behind everything. */
+const vertexOfScreen = `
 out vec2 place;
 void main() {
   place = vec2(gl_VertexID == 1 ? 3.0 : -1.0, gl_VertexID == 2 ? 3.0 : -1.0);
   gl_Position = vec4(place, 0.9999, 1.0);
 }`;
-
-/** @param defines  the object's name in capitals, AXIS_X, AXIS_Y, QUANTITY: what is not needed is not compiled. */
-export const fragmentOfObject = (snippet: string, defines: string): string =>
-  head + defines + snippet + lutAxes + room + screen + lit;
-
-export const fragmentOfRoom = `${head}${room}${screen}
-uniform mat3 camera;          // right and up, as long as half the picture, and forward
+const fragmentOfRoom = `
 in vec2 place;
 out vec4 colour;
 void main() {
@@ -223,24 +212,19 @@ void main() {
   // A little noise, less than a code, hides the steps of the gradient.
   colour = vec4(c + (fract(52.98 * fract(dot(gl_FragCoord.xy, vec2(0.0671, 0.00584)))) - 0.5) / 255.0, 1.0);
 }`;
-
 /** The LUT's colour at an angle, on the whole canvas, as it is: no light, no exposure. */
-export const fragmentOfFlat = (snippet: string, defines: string): string => `${head}${defines}${snippet}${lutAxes}${screen}
+const fragmentOfFlat = `
 uniform float cosine;
 out vec4 colour;
 void main() {
   Seen s = Seen(cosine, 2.0 * sqrt(max(1.0 - cosine * cosine, 0.0)), 0.0, cosine, 0.5, 0.0);
   colour = vec4(encoded(toGamut * mirrored(s)), 1.0);
 }`;
-
 /** Where the light is: a small ring with a core. */
-export const vertexOfMarker = `${head}
+const vertexOfMarker = `
 uniform vec3 marker;          // on the screen, and the diameter in pixels
-void main() {
-  gl_Position = vec4(marker.xy, 0.0, 1.0);
-  gl_PointSize = marker.z;
-}`;
-export const fragmentOfMarker = `${head}
+void main() { gl_Position = vec4(marker.xy, 0.0, 1.0); gl_PointSize = marker.z; }`;
+const fragmentOfMarker = `
 uniform float strength;
 out vec4 colour;
 void main() {
@@ -248,3 +232,14 @@ void main() {
   float ink = max(0.8 * smoothstep(0.12 + edge, 0.12, abs(r - 0.8)), smoothstep(0.42 + edge, 0.42, r));
   colour = strength * vec4(vec3(ink), max(ink, 0.35 * smoothstep(1.0, 0.7, r)));
 }`;
+
+/** Of the vertices and of the fragments.
+ *  @param name  ROOM, MARKER, FLAT or an object in capitals
+ *  @param defines  that name, and of the LUT AXIS_X, AXIS_Y and QUANTITY: what is not needed is not compiled */
+export function sources(name: string, defines: string, snippet: string): [string, string] {
+  const head = `#version 300 es\nprecision highp float;\nprecision highp int;\n${defines}`;
+  if (name === "MARKER") return [head + vertexOfMarker, head + fragmentOfMarker];
+  if (name === "ROOM") return [head + vertexOfScreen, head + room + screen + fragmentOfRoom];
+  if (name === "FLAT") return [head + vertexOfScreen, head + snippet + lutAxes + screen + fragmentOfFlat];
+  return [head + vertexOfObject, head + snippet + lutAxes + room + screen + lit];
+}

@@ -1,6 +1,6 @@
 // How the output window's objects and their room are drawn, in GLSL ES 3.00. The LUT is fetched by nacre's own snippet.
 
-import { parts } from "./shader_parts";
+import { partsOf } from "./shader_parts";
 
 /** Room and light. The room is a formula: lights are rectangles far away whose edges a rough surface makes wider, so that
  *  nothing has to be filtered beforehand. Luminances are relative to the brightest light; all is chosen by eye. */
@@ -57,7 +57,7 @@ float backdrop(vec3 way) {
   if (board > 0.5) {
     vec3 at = way * camera;
     vec2 squares = floor(at.xy / at.z / vec2(length(camera[0]), length(camera[1])) / 0.05);
-    return mod(squares.x + squares.y, 2.0) < 0.5 ? 0.30 : 0.13;
+    return mod(squares.x + squares.y, 2.0) < 0.5 ? 0.20 : 0.09;
   }
   return max(environment * mix(floorSeen(eye, way), wall(way), ramp(vec2(way.y), vec2(0.1)).x), 0.03);
 }`;
@@ -101,15 +101,16 @@ vec3 letThrough(Seen s, vec3 r) {
   return hasThrough > 0.5 ? max(toRec709 * nacre_fetch(lutThrough, p.x, p.y), 0.0) : max(1.0 - r, 0.0);
 }`;
 
-const lit = `
+const surface = `
 uniform mat3 turn;            // of the object
 uniform float roughness, gain;
 in vec3 at, turnedNormal, still;
 flat in float kind;
 in vec4 own;
 out vec4 colour;
-struct Surface { vec3 N, albedo, across; float share, f0, roughness, shade, row; };
-${parts}
+struct Surface { vec3 N, albedo, across; float share, f0, roughness, shade, row; };`;
+
+const lit = `
 float blurOf(float r) { return 0.9 * r * r; }
 
 /** luts/README.md's punctual light with what the LUT, and what clear coats mirror. */
@@ -175,7 +176,9 @@ void main() {
   vec3 axis = normalize(vec3(0.18, 0.52, 0.84));    // the grooves of things that are no disc are circles around it
   vec3 across_ = normalize(axis - dot(axis, N) * N);
   Surface s = Surface(N, vec3(0.0), across_, 1.0, 0.0, roughness, 1.0, 0.5 - 0.5 * still.y);
-  partOf(s, int(kind + 0.5));
+  int part = int(kind + 0.5);
+  if (part > 2 && part < 7) ownPart(s);
+  else if (part > 0) plain(s, part);
 #ifdef BUBBLE
   colour = vec4(shown(brightness * bubble(s, V)), 1.0);
 #else
@@ -241,5 +244,5 @@ export function sources(name: string, defines: string, snippet: string): [string
   if (name === "MARKER") return [head + vertexOfMarker, head + fragmentOfMarker];
   if (name === "ROOM") return [head + vertexOfScreen, head + room + screen + fragmentOfRoom];
   if (name === "FLAT") return [head + vertexOfScreen, head + snippet + lutAxes + screen + fragmentOfFlat];
-  return [head + vertexOfObject, head + snippet + lutAxes + room + screen + lit];
+  return [head + vertexOfObject, head + snippet + lutAxes + room + screen + surface + partsOf(name) + lit];
 }

@@ -1,8 +1,7 @@
 // From where the object is seen and lit, and how pointer, wheel and keys change that.
 
 import type { ShownObject } from "./objects";
-import { dot } from "./surfaces";
-import type { Point } from "./surfaces";
+import { dot, type Point } from "./surfaces";
 
 const degree = Math.PI / 180;
 const far = 7; // from the eye to the middle of the object, whose radius is about 1
@@ -57,14 +56,14 @@ const degreesPerPixel = 0.4;
 
 function listenToPointers(canvas: HTMLCanvasElement, handles: Handles): void {
   const down = new Map<number, [number, number]>();
-  let move = handles.turned;
+  let moved: "turned" | "lightMoved" = "turned";
   const spread = (): number => {
     const [a, b] = [...down.values()];
     return a && b ? Math.hypot(a[0] - b[0], a[1] - b[1]) : 0;
   };
   canvas.addEventListener("pointerdown", (event) => {
     const isLight = event.button === 2 || event.shiftKey || handles.isOnLight(event.offsetX, event.offsetY);
-    if (down.size === 0) move = isLight ? handles.lightMoved : handles.turned;
+    if (down.size === 0) moved = isLight ? "lightMoved" : "turned";
     down.set(event.pointerId, [event.clientX, event.clientY]);
     canvas.setPointerCapture(event.pointerId);
   });
@@ -74,7 +73,7 @@ function listenToPointers(canvas: HTMLCanvasElement, handles: Handles): void {
     const apart = spread();
     down.set(event.pointerId, [event.clientX, event.clientY]);
     if (apart > 0) handles.zoomed(spread() / apart);
-    else move(degreesPerPixel * (event.clientX - before[0]), degreesPerPixel * (before[1] - event.clientY));
+    else handles[moved](degreesPerPixel * (event.clientX - before[0]), degreesPerPixel * (before[1] - event.clientY));
   });
   canvas.addEventListener("pointerup", (event) => down.delete(event.pointerId));
   canvas.addEventListener("pointercancel", (event) => down.delete(event.pointerId));
@@ -98,7 +97,7 @@ export function listen(canvas: HTMLCanvasElement, handles: Handles): void {
     const [arrow, zoom] = [arrows[event.key], zooms[event.key]];
     if (event.ctrlKey || event.metaKey || event.altKey || !(arrow || zoom || event.key === "Home")) return;
     event.preventDefault();
-    if (arrow) (event.shiftKey ? handles.lightMoved : handles.turned)(...arrow);
+    if (arrow) handles[event.shiftKey ? "lightMoved" : "turned"](...arrow);
     else if (zoom) handles.zoomed(zoom);
     else handles.reset();
   });

@@ -1,7 +1,6 @@
 // The objects that the output window shows, made by code. All shapes are drawn by eye.
 
-import { addEllipsoid, addSurface, addTube, part, path, spline } from "./surfaces";
-import type { Mesh, Point } from "./surfaces";
+import { addEllipsoid, addSurface, addTube, type Mesh, part, path, type Point, spline } from "./surfaces";
 
 export type ObjectName = "sphere" | "wing" | "elytra" | "car" | "bubble" | "disc";
 

@@ -3,11 +3,9 @@
 
 import type { BakedLut } from "./api";
 import { clamped, direction, Eye, listen } from "./camera";
-import { describe, drawn, program, uploadLut } from "./graphics";
-import type { Uniforms, Use } from "./graphics";
-import { shownObject } from "./objects";
-import type { ObjectName } from "./objects";
-import * as shaders from "./shaders";
+import { describe, drawn, program, type Uniforms, uploadLut, type Use } from "./graphics";
+import { type ObjectName, shownObject } from "./objects";
+import { sources } from "./shaders";
 import type { Point } from "./surfaces";
 
 export interface OutputSettings {
@@ -55,6 +53,7 @@ export class OutputView {
     canvas.addEventListener("webglcontextrestored", () => {
       this.programs.clear();
       this.meshes.clear();
+      this.textures = [];
       this.setLut(this.lut, this.through);
     });
     new ResizeObserver(() => this.draw()).observe(canvas);
@@ -178,7 +177,7 @@ export class OutputView {
 
   private program(name: string, defines: string): Use {
     const key = `#define ${name}\n${defines}`;
-    const known = this.programs.get(key) ?? program(this.gl!, ...shaders.sources(name, key, this.snippet));
+    const known = this.programs.get(key) ?? program(this.gl!, ...sources(name, key, this.snippet));
     this.programs.set(key, known);
     return known;
   }

@@ -44,15 +44,7 @@ float studio(vec3 from, vec3 way, float blur) {
   return environment * mix(floorSeen(from, way), sky, ramp(vec2(way.y), vec2(max(width, 0.03))).x);
 }
 /** What a white matte surface shows. */
-float irradiance(vec3 N) {
-  vec3 n = vec3(roomTurn * N.xz, N.y).xzy;
-  float seen = mix(0.1, 0.13, 0.5 + 0.5 * n.y);
-  for (int i = 0; i < 4; ++i) {
-    float facing = max(0.25 + 0.75 * dot(n, towards[i]), 0.0);
-    seen += sizes[i].z * sizes[i].x * sizes[i].y * 1.27 * facing * facing;
-  }
-  return environment * seen + 0.5 * max(dot(N, light), 0.0);
-}
+float irradiance(vec3 N) { return environment * (0.34 + 0.24 * N.y) + 0.5 * max(dot(N, light), 0.0); }
 float backdrop(vec3 way) {
   if (board > 0.5) {
     vec3 at = way * camera;

@@ -126,6 +126,7 @@ EMSCRIPTEN_KEEPALIVE std::size_t nacre_byte_count() {
 
 /// Puts a file into the module's file system, for scenes that name it. @return whether that worked
 EMSCRIPTEN_KEEPALIVE bool nacre_put_file(const char* path, const char* bytes, std::size_t count) {
+    nacre::state().session.files_changed();
     std::error_code ignored;
     const std::filesystem::path folder = std::filesystem::path(path).parent_path();
     if (!folder.empty()) std::filesystem::create_directories(folder, ignored);

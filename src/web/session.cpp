@@ -126,8 +126,12 @@ Json Session::open(const std::string& text) {
         json["mistakes"] = mistakes_json(error.what());
         return json;
     }
-    entries_.clear();
-    scenes_ = std::move(opened);
+    if (text != text_ || files_changed_) {
+        entries_.clear();
+        scenes_ = std::move(opened);
+        text_ = text;
+        files_changed_ = false;
+    }
     const Plan& plan = scene().plan;
     for (const SceneMaterial& material : plan.materials)
         json["materials"].push_back(material_json(material, *plan.light));

@@ -21,8 +21,12 @@ namespace nacre {
 /// the program prints.
 class Session {
 public:
-    /// Reads and plans a scene. What is wrong with it is part of the answer; then the scene that was open stays open.
+    /// Reads and plans a scene. What is wrong with it is part of the answer; then the scene that was open stays open. So
+    /// does the scene of the same text, with what was baked of it.
     Json open(const std::string& text);
+
+    /// To be told when a file has come that scenes may name.
+    void files_changed() { files_changed_ = true; }
 
     struct Answer {
         Json json;
@@ -68,7 +72,8 @@ private:
 
     std::vector<LoadedScene> scenes_;  // at most one
     std::vector<Entry> entries_;       // of the LUTs that were baked
-    std::string text_;
+    std::string text_;                 // of the open scene
+    bool files_changed_ = false;       // since it was opened
 };
 
 }  // namespace nacre

@@ -58,13 +58,7 @@ async function frames() {
   ];
   console.log("\ndrag, from the move to the new texture and panels (at most 16 ms), median and 90 % of 60");
   for (const [scene, path, from, step] of cases) {
-    const { text, lut } = await page.evaluate((s) => {
-      const one = window.nacrePage.here.shippedScenes().find((shipped) => shipped.name === s);
-      return { text: one.text, lut: undefined };
-    }, scene);
-    await write(page, text, lut);
-    const known = await page.evaluate((p) => window.nacrePage.doc.value(p) !== undefined, path);
-    if (!known) throw new Error(`${scene} has no ${path}`);
+    await write(page, sceneText(scene));
     const { update, draw } = await drag(page, path, from, step);
     const late = [...update].sort((a, b) => a - b)[Math.floor(0.9 * update.length)];
     console.log(`${scene.padEnd(20)} ${ms(median(update) / 1e3).padStart(10)} ${ms(late / 1e3).padStart(10)}   drawing in software ${ms(median(draw) / 1e3)}`);
@@ -78,7 +72,7 @@ function speed(engine) {
   const program = join(build, "release", "src", "cli", "nacre");
   for (const scene of ["morpho", "beetle_stack", "tortoise_beetle", "jay_feather"]) {
     const path = join(root, "configs", "scenes", `${scene}.toml`);
-    const plan = ["bake", path, "--json", "--no-preview", "-o", join(build, "page-tests", "out"), "--force", "-j", "1"];
+    const plan = ["bake", path, "--json", "--no-preview", "-o", join(build, "page-tests", "out"), "--force", "--threads", "1"];
     const text = sceneText(scene);
     const ours = [];
     const theirs = [];
@@ -97,9 +91,8 @@ function speed(engine) {
 }
 
 function secondsOf(answer, name) {
-  const lut = (answer.luts ?? answer.outputs ?? []).find((one) => one.lut === name || one.name === name);
-  const { deciding = 0, computing = 0, measuring = 0 } = lut?.seconds ?? {};
-  return deciding + computing + measuring || lut?.seconds;
+  const { seconds } = answer.luts.find((one) => one.lut === name);
+  return seconds.deciding + seconds.computing + seconds.measuring;
 }
 
 sizes();

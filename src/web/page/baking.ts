@@ -6,17 +6,18 @@ export interface BakeRequest {
   text: string;
   /** The LUT that is shown, and the other of a pair if it is one. */
   luts: string[];
+  startMs: number;
 }
 
 // An exact bake that is out of date may go on for so long before the worker is ended.
 const patienceMs = 100;
 
 export class WorkerBakes {
+  isBusy = false;
   private wanted: BakeRequest | undefined;
   private exact: BakeRequest | undefined;
-  private isRunning = false;
-  private idle: (() => void)[] = [];
 
+  /** @param mayCancel  false while the worker does something else that is wanted */
   constructor(
     private readonly worker: AsyncEngine,
     private readonly show: (request: BakeRequest, baked: BakedLut[], isCoarse: boolean) => void,
@@ -25,50 +26,43 @@ export class WorkerBakes {
   ) {}
 
   request(wanted: BakeRequest): void {
+    this.forget();
     this.wanted = wanted;
-    const old = this.exact;
-    if (old) setTimeout(() => this.exact === old && this.mayCancel() && this.worker.cancel(), patienceMs);
-    if (!this.isRunning) void this.run();
+    if (!this.isBusy) void this.run();
   }
 
-  /** Nothing is wanted any more: the page itself answers. */
+  /** What was wanted before is wanted no more. */
   forget(): void {
     this.wanted = undefined;
-  }
-
-  get isBusy(): boolean {
-    return this.isRunning;
-  }
-
-  async whenIdle(): Promise<void> {
-    if (this.isRunning) await new Promise<void>((resolve) => this.idle.push(resolve));
+    const old = this.exact;
+    if (old) setTimeout(() => this.exact === old && this.mayCancel() && this.worker.cancel(), patienceMs);
   }
 
   private async run(): Promise<void> {
-    this.isRunning = true;
+    this.isBusy = true;
     while (this.wanted) {
       const request = this.wanted;
-      this.wanted = undefined;
       try {
-        this.show(request, await this.bake(request, true), true);
-        if (this.wanted) continue;
-        this.exact = request;
-        const baked = await this.bake(request, false);
-        if (!this.wanted) this.show(request, baked, false);
+        const coarse = await this.bake(request, true);
+        if (this.wanted) this.show(request, coarse, true);
+        if (this.wanted === request) {
+          this.exact = request;
+          const baked = await this.bake(request, false);
+          if (this.wanted === request) this.show(request, baked, false);
+        }
       } catch (failure) {
-        if (!this.wanted) this.fail((failure as Error).message);
+        if (this.wanted === request) this.fail((failure as Error).message);
       }
       this.exact = undefined;
+      if (this.wanted === request) this.wanted = undefined;
     }
-    this.isRunning = false;
-    for (const resume of this.idle.splice(0)) resume();
+    this.isBusy = false;
   }
 
   private async bake({ text, luts }: BakeRequest, isCoarse: boolean): Promise<BakedLut[]> {
-    const [, ...baked] = await Promise.all([
-      this.worker.open(text),
-      ...luts.map((lut) => this.worker.bake(lut, isCoarse)),
-    ]);
-    return baked as BakedLut[];
+    const opening = this.worker.open(text);
+    const baked = await Promise.all(luts.map((lut) => this.worker.bake(lut, isCoarse)));
+    await opening;
+    return baked;
   }
 }

@@ -1,11 +1,10 @@
 // The scene as text is the only model: every control changes the text, and nacre reads it. Undo, redo, and the address.
 
-import type { Engine, OpenedScene, SceneValue } from "./api";
+import type { Engine, Material, OpenedScene } from "./api";
 import { withItem, without, withValues, type TomlValue } from "./toml_text";
 
 // Edits of one gesture that are further apart are steps of their own in undo.
 const gestureMs = 1000;
-const mostSteps = 500;
 
 export class SceneDocument {
   text = "";
@@ -30,19 +29,16 @@ export class SceneDocument {
     if (text === this.text) return;
     const now = performance.now();
     const isSameStep = gesture !== "" && gesture === this.gesture && now - this.editedMs < gestureMs;
-    this.steps.length = this.at + 1;
-    if (isSameStep) this.steps.pop();
-    this.steps.push(text);
-    if (this.steps.length > mostSteps) this.steps.shift();
+    this.steps.splice(isSameStep ? this.at : this.at + 1, Infinity, text);
     this.at = this.steps.length - 1;
     this.gesture = gesture;
     this.editedMs = now;
     this.read(text);
   }
 
-  /** Sets values by their paths. Keys and tables that are missing are inserted. */
-  set(changes: Record<string, TomlValue>, gesture = ""): void {
-    this.replace(withValues(this.text, this.opened.values, changes), gesture);
+  /** Sets values of a table by their keys, or of the scene by their paths. What is missing is inserted. */
+  set(changes: Record<string, TomlValue>, gesture = "", table = ""): void {
+    this.replace(withValues(this.text, this.opened.values, changes, table), gesture);
   }
 
   addItem(array: string, literal: string): void {
@@ -54,48 +50,41 @@ export class SceneDocument {
   }
 
   /** Sets some keys of a table and removes others, as one step. */
-  exchange(table: string, set: Record<string, TomlValue>, removed: string[], gesture: string): void {
-    const prefixed = Object.entries(set).map(([key, value]) => [`${table}.${key}`, value]);
-    let text = withValues(this.text, this.opened.values, Object.fromEntries(prefixed));
-    for (const key of removed) {
-      const { values } = this.engine.open(text);
-      text = without(text, values, `${table}.${key}`);
-    }
+  exchange(table: string, changes: Record<string, TomlValue>, removed: string[], gesture: string): void {
+    let text = withValues(this.text, this.opened.values, changes, table);
+    for (const key of removed) text = without(text, this.engine.open(text).values, `${table}.${key}`);
     this.replace(text, gesture);
   }
 
-  value(path: string): SceneValue | undefined {
-    return this.opened.values[path];
+  /** A number, text or truth value; nothing for tables and arrays. */
+  value(path: string): number | string | boolean | undefined {
+    return this.opened.values[path]?.value;
   }
 
-  number(path: string): number | undefined {
-    const value = this.value(path)?.value;
-    return typeof value === "number" ? value : undefined;
+  has(path: string): boolean {
+    return this.opened.values[path] !== undefined;
   }
 
-  get canUndo(): boolean {
-    return this.at > 0;
+  /** Whether there is a step back (-1) or forth (1). */
+  canStep(direction: number): boolean {
+    return this.steps[this.at + direction] !== undefined;
   }
 
-  get canRedo(): boolean {
-    return this.at < this.steps.length - 1;
-  }
-
-  /** One step back (-1) or forth (1). */
   step(direction: number): void {
-    const text = this.steps[this.at + direction];
-    if (text === undefined) return;
+    if (!this.canStep(direction)) return;
     this.at += direction;
     this.gesture = "";
-    this.read(text);
+    this.read(this.steps[this.at]!);
   }
 
-  /** Reads the text again, because a file that it names is there now. */
-  reread(): void {
-    this.read(this.text);
+  /** What the light of the scene is, to compare. */
+  get light(): string {
+    const values = Object.entries(this.scene.values).filter(([path]) => path.startsWith("light"));
+    return values.map(([path, { value }]) => `${path}=${value}`).join();
   }
 
-  private read(text: string): void {
+  /** Reads the text, again if a file that it names has changed. */
+  read(text = this.text): void {
     const start = performance.now();
     this.text = text;
     this.opened = this.engine.open(text);
@@ -105,6 +94,10 @@ export class SceneDocument {
   }
 }
 
+/** "material.morpho", with the name in quotes where TOML wants them. */
+export const materialPath = ({ name }: Material): string =>
+  `material.${/^[\w-]+$/.test(name) ? name : JSON.stringify(name)}`;
+
 async function piped(bytes: Uint8Array, through: CompressionStream | DecompressionStream): Promise<Uint8Array> {
   const stream = new Blob([bytes as BlobPart]).stream().pipeThrough(through);
   return new Uint8Array(await new Response(stream).arrayBuffer());
@@ -113,19 +106,17 @@ async function piped(bytes: Uint8Array, through: CompressionStream | Decompressi
 /** The text as a part of an address: deflated, in base64url. */
 export async function inAddress(text: string): Promise<string> {
   const bytes = await piped(new TextEncoder().encode(text), new CompressionStream("deflate-raw"));
-  let binary = "";
-  for (const byte of bytes) binary += String.fromCharCode(byte);
-  return btoa(binary).replaceAll("+", "-").replaceAll("/", "_").replace(/=+$/, "");
+  const base64 = btoa(Array.from(bytes, (byte) => String.fromCharCode(byte)).join(""));
+  return base64.replaceAll("+", "-").replaceAll("/", "_").replace(/=+$/, "");
 }
 
 /** Nothing if it is no text of inAddress(). */
 export async function fromAddress(hash: string): Promise<string | undefined> {
-  const packed = hash.replace(/^#/, "");
-  if (packed === "") return undefined;
   try {
-    const binary = atob(packed.replaceAll("-", "+").replaceAll("_", "/"));
+    const binary = atob(hash.replace("#", "").replaceAll("-", "+").replaceAll("_", "/"));
     const bytes = Uint8Array.from(binary, (character) => character.charCodeAt(0));
-    return new TextDecoder().decode(await piped(bytes, new DecompressionStream("deflate-raw")));
+    const text = new TextDecoder().decode(await piped(bytes, new DecompressionStream("deflate-raw")));
+    return text === "" ? undefined : text;
   } catch {
     return undefined;
   }

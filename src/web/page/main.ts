@@ -1,4 +1,4 @@
-// The page: reads the scene when its text has changed, bakes, and shows. What all panels share is in page.ts.
+// The page: reads the scene when its text has changed, bakes, and shows. The panels know each other only through this.
 
 import type { AsyncEngine, BakedLut, Engine, LutSummary, Material } from "./api";
 import { WorkerBakes, type BakeRequest } from "./baking";
@@ -9,8 +9,7 @@ import { startEngine } from "./engine";
 import { FilesPanel } from "./files";
 import { MechanismsPanel } from "./mechanisms";
 import { OutputView } from "./output";
-import { objectFor, OutputPanel } from "./output_panel";
-import type { Page } from "./page";
+import { OutputPanel } from "./output_panel";
 import { PalettePanel } from "./palette";
 import { PlanePanel } from "./plane";
 import { StripPanel } from "./strip";
@@ -18,63 +17,69 @@ import { TextPanel } from "./text";
 
 // LUTs of palettes and films that take less time than this are baked on the page's own thread, within a frame.
 const frameSeconds = 0.02;
-const noTime = { deciding: 0, computing: 0, measuring: 0 };
 const addressMs = 400;
+const spareMs = 50;
 
-class NacrePage implements Page {
+export class NacrePage {
   readonly doc: SceneDocument;
   readonly view: OutputView;
+  /** The LUT that is shown, its material, and the pick of it that is selected. */
   lut: LutSummary | undefined;
   material: Material | undefined;
   pick = 0;
   baked: BakedLut | undefined;
+  /** Of a pair: what is seen through. */
   transmitted: BakedLut | undefined;
+  /** Whether `baked` is a quick answer. */
   isCoarse = false;
-  /** From the change of the text to the picture, without the wait for the frame. */
+  /** From the change of the text to the picture, without the wait for the frame; of the worker, to its exact answer. */
   lastUpdateMs = 0;
 
-  private readonly panels: { show(): void }[];
-  private readonly mechanisms: MechanismsPanel;
-  private readonly text: TextPanel;
+  private readonly mechanisms = new MechanismsPanel(this);
+  private readonly search = new SearchPanel(this);
+  private readonly text = new TextPanel(this);
+  private readonly ofScene = [this.mechanisms, new PlanePanel(this), new PalettePanel(this), this.search, this.text];
+  private readonly ofLut = [new StripPanel(this), new EffectsPanel(this)];
   private readonly output: OutputPanel;
   private readonly bakes: WorkerBakes;
-  private readonly search: SearchPanel;
   private isBakedHere = false;
   private frame = 0;
   private showMs = 0;
   private addressTimer = 0;
-  private inTurn: Promise<unknown> = Promise.resolve();
+  private turn: Promise<unknown> = Promise.resolve();
 
   constructor(
     readonly here: Engine,
     readonly worker: AsyncEngine,
   ) {
     this.doc = new SceneDocument(here);
+    this.doc.onChange = () => this.changed();
     this.view = new OutputView(byId<HTMLCanvasElement>("output-canvas"), here.snippet("glsl"));
     this.output = new OutputPanel(this.view);
-    this.text = new TextPanel(this);
-    this.mechanisms = new MechanismsPanel(this);
-    this.search = new SearchPanel(this);
-    const palette = new PalettePanel(this);
-    this.panels = [this.mechanisms, new PlanePanel(this), palette, this.search, this.text];
-    this.afterBake = [new StripPanel(this), new EffectsPanel(this), this.text];
     this.bakes = new WorkerBakes(
       worker,
       (request, baked, isCoarse) => this.answered(request, baked, isCoarse),
-      (message) => this.say(message === "cancelled" ? "" : message),
+      (message) => this.failed(message),
       () => !this.search.isSearching,
     );
     new FilesPanel(this);
-    this.doc.onChange = () => this.changed();
     this.buttons();
   }
 
-  private readonly afterBake: { show(): void }[];
+  /** Another scene, which is shown on an object that its name calls for. */
+  open(name: string, text: string): void {
+    this.lut = undefined;
+    this.baked = undefined;
+    this.pick = 0;
+    this.mechanisms.reset();
+    this.output.chooseFor(name);
+    this.doc.replace(text);
+  }
 
   selectPick(pick: number): void {
     if (pick === this.pick) return;
     this.pick = pick;
-    for (const panel of [...this.panels, ...this.afterBake]) panel.show();
+    for (const panel of [...this.ofScene, ...this.ofLut]) panel.show();
   }
 
   selectLut(name: string): void {
@@ -84,41 +89,30 @@ class NacrePage implements Page {
     this.changed();
   }
 
+  /** Says something in the status line, to screen readers too. */
   say(message: string): void {
     byId("status").textContent = message;
   }
 
-  async inSpareTime<Result>(work: () => Promise<Result>): Promise<Result | undefined> {
-    const turn = this.inTurn.then(async () => {
-      while (this.bakes.isBusy || this.search.isSearching) {
-        await this.bakes.whenIdle();
-        if (this.search.isSearching) await new Promise((resolve) => setTimeout(resolve, 200));
-      }
-      return work().catch(() => undefined);
-    });
-    this.inTurn = turn;
-    return turn;
-  }
-
-  async asked<Result>(work: (engine: Engine | AsyncEngine, lut: string) => Result | Promise<Result>): Promise<Result> {
-    if (this.isBakedHere) return work(this.here, this.lut?.name ?? "");
-    return this.inWorker((worker, lut) => Promise.resolve(work(worker, lut)));
-  }
-
-  async inWorker<Result>(work: (worker: AsyncEngine, lut: string) => Promise<Result>): Promise<Result> {
-    const opening = this.worker.open(this.doc.text);
-    const result = work(this.worker, this.lut?.name ?? "");
-    await opening;
+  /** Runs when the worker has nothing more urgent to do, one after the other. Nothing if it was cancelled or failed. */
+  inSpareTime<Result>(work: (worker: AsyncEngine, lut: string) => Promise<Result>): Promise<Result | undefined> {
+    const run = async (): Promise<Result | undefined> => {
+      while (this.bakes.isBusy || this.search.isSearching) await new Promise((resolve) => setTimeout(resolve, spareMs));
+      return this.askWorker(work).catch(() => undefined);
+    };
+    const result = this.turn.then(run);
+    this.turn = result;
     return result;
   }
 
-  /** A scene from the gallery, a file or the address: its own object and its own first LUT. */
-  anotherScene(name: string): void {
-    this.lut = undefined;
-    this.pick = 0;
-    this.baked = undefined;
-    this.mechanisms.reset();
-    this.output.choose(objectFor(name));
+  /** Asks whichever engine baked what is shown. */
+  async asked<Result>(work: (engine: Engine | AsyncEngine, lut: string) => Result | Promise<Result>): Promise<Result> {
+    return this.isBakedHere ? work(this.here, this.lut!.name) : this.askWorker(async (worker, lut) => work(worker, lut));
+  }
+
+  private async askWorker<Result>(work: (worker: AsyncEngine, lut: string) => Promise<Result>): Promise<Result> {
+    const [, result] = await Promise.all([this.worker.open(this.doc.text), work(this.worker, this.lut!.name)]);
+    return result;
   }
 
   private changed(): void {
@@ -128,57 +122,59 @@ class NacrePage implements Page {
     this.material = scene.materials.find((material) => material.name === this.lut?.material);
     this.pick = Math.min(this.pick, Math.max(0, (this.material?.picks?.length ?? 1) - 1));
     byId("scene-name").textContent = scene.materials[0]?.name.replaceAll("_", " ") ?? "scene";
+    byId<HTMLButtonElement>("undo").disabled = !this.doc.canStep(-1);
+    byId<HTMLButtonElement>("redo").disabled = !this.doc.canStep(1);
     document.body.classList.toggle("mistaken", opened.mistakes.length > 0);
-    byId<HTMLButtonElement>("undo").disabled = !this.doc.canUndo;
-    byId<HTMLButtonElement>("redo").disabled = !this.doc.canRedo;
-    for (const panel of this.panels) panel.show();
-    this.say(opened.mistakes[0]?.message.split("\n")[0] ?? "");
+    this.say(opened.mistakes[0]?.message ?? "");
+    for (const panel of this.ofScene) panel.show();
     this.showMs = performance.now() - start;
-    if (opened.mistakes.length === 0) {
-      cancelAnimationFrame(this.frame);
-      this.frame = requestAnimationFrame(() => this.update());
-    }
+    cancelAnimationFrame(this.frame);
+    if (opened.mistakes.length === 0) this.frame = requestAnimationFrame(() => this.update());
     clearTimeout(this.addressTimer);
     this.addressTimer = window.setTimeout(() => void this.keepInAddress(), addressMs);
   }
 
   private update(): void {
     if (!this.lut || !this.material) return;
-    const pair = this.doc.scene.luts.filter((lut) => lut.entry === this.lut!.entry && lut !== this.lut);
-    const luts = [this.lut, ...pair.filter((lut) => lut.quantity !== this.lut!.quantity)].map((lut) => lut.name);
-    const start = performance.now();
-    const isKnown = !this.isCoarse && this.baked?.name === this.lut.name;
-    const { deciding, computing, measuring } = (isKnown && this.baked?.seconds) || noTime;
-    const isLight = ["palette", "film"].includes(this.material.mechanism) && !this.lut.y;
-    this.isBakedHere = isLight && deciding + computing + measuring < frameSeconds;
+    const startMs = performance.now() - this.doc.openMs - this.showMs;
+    const { name, entry, quantity, y } = this.lut;
+    const other = this.doc.scene.luts.filter((lut) => lut.entry === entry && lut.quantity !== quantity);
+    const luts = [name, ...other.slice(0, 1).map((lut) => lut.name)];
+    const isKnown = !this.isCoarse && this.baked?.name === name;
+    const seconds = isKnown ? Object.values(this.baked!.seconds).reduce((sum, part) => sum + part, 0) : 0;
+    this.isBakedHere = ["palette", "film"].includes(this.material.mechanism) && !y && seconds < frameSeconds;
     if (!this.isBakedHere) {
       document.body.classList.add("busy");
-      this.bakes.request({ text: this.doc.text, luts });
+      this.bakes.request({ text: this.doc.text, luts, startMs });
       return;
     }
+    this.bakes.forget();
     try {
-      this.bakes.forget();
       this.shown(luts.map((lut) => this.here.bake(lut)), false);
+      this.lastUpdateMs = performance.now() - startMs;
     } catch (failure) {
-      this.say((failure as Error).message);
-    }
-    this.lastUpdateMs = this.doc.openMs + this.showMs + performance.now() - start;
-  }
-
-  private answered(request: BakeRequest, baked: BakedLut[], isCoarse: boolean): void {
-    if (this.doc.scene.luts.some((lut) => lut.name === request.luts[0]) && this.lut?.name === request.luts[0]) {
-      this.shown(baked, isCoarse);
+      this.failed((failure as Error).message);
     }
   }
 
-  private shown(baked: BakedLut[], isCoarse: boolean): void {
-    const [first, second] = baked;
+  private answered({ luts, startMs }: BakeRequest, baked: BakedLut[], isCoarse: boolean): void {
+    if (this.lut?.name !== luts[0]) return;
+    this.shown(baked, isCoarse);
+    if (!isCoarse) this.lastUpdateMs = performance.now() - startMs;
+  }
+
+  private failed(message: string): void {
+    document.body.classList.remove("busy");
+    this.say(message);
+  }
+
+  private shown([first, second]: BakedLut[], isCoarse: boolean): void {
     const isFirstThrough = first!.quantity === "transmittance" && second !== undefined;
     this.baked = first;
     this.transmitted = isFirstThrough ? first : second;
     this.isCoarse = isCoarse;
     this.view.setLut((isFirstThrough ? second : first) ?? null, this.transmitted);
-    for (const panel of this.afterBake) panel.show();
+    for (const panel of this.ofLut) panel.show();
     this.view.draw();
     document.body.classList.toggle("busy", isCoarse);
   }
@@ -191,19 +187,20 @@ class NacrePage implements Page {
   private buttons(): void {
     byId("undo").addEventListener("click", () => this.doc.step(-1));
     byId("redo").addEventListener("click", () => this.doc.step(1));
-    byId("text-toggle").addEventListener("click", () => this.foldText(!document.body.classList.contains("text-folded")));
+    const { classList } = document.body;
+    byId("text-toggle").addEventListener("click", () => this.foldText(!classList.contains("text-folded")));
     this.foldText(innerWidth < 1500);
-    byId("theme").addEventListener("click", () => {
-      const isDark = document.documentElement.dataset.theme === "dark";
-      document.documentElement.dataset.theme = isDark ? "light" : "dark";
+    const { dataset } = document.documentElement;
+    dataset.theme = matchMedia("(prefers-color-scheme: light)").matches ? "light" : "dark";
+    byId("theme").addEventListener("click", () => (dataset.theme = dataset.theme === "dark" ? "light" : "dark"));
+    addEventListener("hashchange", async () => {
+      const text = await fromAddress(location.hash);
+      if (text !== undefined && text !== this.doc.text) this.open("", text);
     });
-    document.documentElement.dataset.theme = matchMedia("(prefers-color-scheme: light)").matches ? "light" : "dark";
-    addEventListener("hashchange", () => void fromAddress(location.hash).then((text) => text && this.doc.replace(text)));
     addEventListener("keydown", (event) => {
-      if (!(event.ctrlKey || event.metaKey) || event.altKey) return;
       const key = event.key.toLowerCase();
-      if (key === "z" || key === "y") this.doc.step(key === "y" || event.shiftKey ? 1 : -1);
-      else return;
+      if (!(event.ctrlKey || event.metaKey) || event.altKey || !["z", "y"].includes(key)) return;
+      this.doc.step(key === "y" || event.shiftKey ? 1 : -1);
       event.preventDefault();
     });
   }
@@ -211,19 +208,19 @@ class NacrePage implements Page {
   private foldText(isFolded: boolean): void {
     document.body.classList.toggle("text-folded", isFolded);
     byId("text-toggle").setAttribute("aria-expanded", String(!isFolded));
+    this.text.show();
   }
 }
 
 async function start(): Promise<void> {
   const { here, worker } = await startEngine();
   const page = new NacrePage(here, worker);
-  (window as unknown as { nacrePage: NacrePage }).nacrePage = page;
+  Object.assign(window, { nacrePage: page });
   const scenes = here.shippedScenes();
   const first = scenes.find((scene) => scene.name === "morpho") ?? scenes[0]!;
   const linked = await fromAddress(location.hash);
-  page.anotherScene(linked === undefined ? first.name : "scene");
-  page.doc.replace(linked ?? first.text);
-  document.body.classList.add("ready");
+  if (linked === undefined) page.open(first.name, first.text);
+  else page.open("", linked);
 }
 
-void start().catch((failure: Error) => (byId("status").textContent = failure.message));
+start().catch((failure: Error) => (byId("status").textContent = failure.message));

@@ -6,45 +6,46 @@ import type { OutputView } from "./output";
 const objects = ["sphere", "wing", "elytra", "car", "bubble", "disc"] as const;
 type ObjectName = (typeof objects)[number];
 
-/** The object that shows a scene best, by the scene's name. */
-export function objectFor(scene: string): ObjectName {
-  const rules: [RegExp, ObjectName][] = [
-    [/morpho|feather/, "wing"],
-    [/beetle/, "elytra"],
-    [/disc|foil|dvd/, "disc"],
-    [/soap|window|bubble/, "bubble"],
-    [/coating|metal|anodised/, "car"],
-  ];
-  return rules.find(([words]) => words.test(scene))?.[1] ?? "sphere";
-}
+// The object that shows a scene best, by words in the scene's name.
+const suited: [RegExp, ObjectName][] = [
+  [/morpho|feather/, "wing"],
+  [/beetle/, "elytra"],
+  [/disc|foil|grating/, "disc"],
+  [/soap|window|film$/, "bubble"],
+  [/coating|metal/, "car"],
+];
 
 export class OutputPanel {
-  private readonly light: [number, number] = [-40, 50];
+  private light: [number, number] = [-40, 50];
 
   constructor(private readonly view: OutputView) {
-    byId("objects").append(
-      ...objects.map((name) =>
-        el("label", {}, el("input", { type: "radio", name: "object", value: name, change: () => this.choose(name) }), name),
-      ),
-    );
+    const radios = objects.map((value) => {
+      const radio = el("input", { type: "radio", name: "object", value, change: () => this.choose(value) });
+      return el("label", {}, radio, value);
+    });
+    byId("objects").append(...radios);
     const environment = byId<HTMLInputElement>("environment");
     environment.addEventListener("change", () => this.set({ environment: environment.checked }));
-    this.number("Roughness", 0, 1, 0.01, 0.2, (roughness) => this.set({ roughness }));
-    this.number("Exposure", -4, 4, 0.1, 0, (exposure) => this.set({ exposure }), "EV");
-    this.number("Light around", -180, 180, 1, this.light[0], (angle) => this.turnLight(0, angle), "°");
-    this.number("Light up", -10, 90, 1, this.light[1], (angle) => this.turnLight(1, angle), "°");
-    this.set({ environment: environment.checked, roughness: 0.2, exposure: 0, light: this.light });
+    this.set({ environment: true, light: this.light });
+    this.number("Roughness", "", 0, 1, 0.2, (roughness) => this.set({ roughness }));
+    this.number("Exposure", "EV", -4, 4, 0, (exposure) => this.set({ exposure }));
+    this.number("Light around", "°", -180, 180, this.light[0], (angle) => this.turn([angle, this.light[1]]));
+    this.number("Light up", "°", -10, 90, this.light[1], (angle) => this.turn([this.light[0], angle]));
   }
 
-  choose(name: ObjectName): void {
-    for (const radio of document.querySelectorAll<HTMLInputElement>("#objects input")) radio.checked = radio.value === name;
+  chooseFor(scene: string): void {
+    this.choose(suited.find(([words]) => words.test(scene))?.[1] ?? "sphere");
+  }
+
+  private choose(name: ObjectName): void {
+    byId("objects").querySelector<HTMLInputElement>(`[value="${name}"]`)!.checked = true;
     this.view.setObject(name);
     this.view.draw();
   }
 
-  private turnLight(axis: 0 | 1, angle: number): void {
-    this.light[axis] = angle;
-    this.set({ light: this.light });
+  private turn(light: [number, number]): void {
+    this.light = light;
+    this.set({ light });
   }
 
   private set(changes: Parameters<OutputView["set"]>[0]): void {
@@ -52,20 +53,13 @@ export class OutputPanel {
     this.view.draw();
   }
 
-  private number(
-    label: string,
-    from: number,
-    to: number,
-    step: number,
-    first: number,
-    change: (value: number) => void,
-    unit?: string,
-  ): void {
-    const control = new NumberControl({ label, from, to, step, ...(unit ? { unit } : {}) }, (value) => {
+  private number(label: string, unit: string, from: number, to: number, first: number, change: (n: number) => void): void {
+    const show = (value: number): void => {
       control.show(value);
       change(value);
-    });
-    control.show(first);
+    };
+    const control = new NumberControl({ label, unit, from, to, step: to > 10 ? 1 : 0.01 }, show);
+    show(first);
     byId("output-numbers").append(control.element);
   }
 }

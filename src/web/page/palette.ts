@@ -1,44 +1,43 @@
 // The palette: width against height of the selected pick, its other numbers, and its colour.
 
 import type { Pick } from "./api";
+import { materialPath } from "./document";
 import { byId, el, hex, mix, NumberControl, paint, short } from "./dom";
-import { materialPath, type Page } from "./page";
+import type { NacrePage } from "./main";
 import { changeBand } from "./plane";
 import { Plot } from "./plot";
 
-interface EyeDropperLike {
-  open(): Promise<{ sRGBHex: string }>;
-}
+type Dropper = new () => { open(): Promise<{ sRGBHex: string }> };
 
 const columns = 64;
 const rows = 32;
 
 export class PalettePanel {
-  private plot: Plot;
+  private plot = this.newPlot(200);
   private fieldKey = "";
-  private readonly controls: Record<string, NumberControl> = {};
+  private gesture = 0;
+  private readonly controls: [NumberControl, (pick: Pick) => number][];
   private readonly native = el("input", { type: "color", "aria-label": "Colour of the pick" });
   private readonly text = el("input", { type: "text", class: "hex", "aria-label": "Colour of the pick, #rrggbb" });
   private readonly made = el("span", { class: "made" });
   private readonly note = el("p", { class: "note", role: "status" });
-  private gesture = 0;
 
-  constructor(private readonly page: Page) {
-    this.plot = this.newPlot(200);
-    const add = (key: string, label: string, from: number, to: number, step: number, unit?: string): void => {
-      const spec = { label, from, to, step, ...(unit ? { unit } : {}) };
-      const control = new NumberControl(spec, (value, gesture) =>
-        changeBand(page, page.pick, { [key]: value }, gesture),
-      );
-      this.controls[key] = control;
-      byId(key.startsWith("f") ? "pick-sliders" : "pick-numbers").append(control.element);
+  constructor(private readonly page: NacrePage) {
+    const number = (key: string, label: string, unit: string, from: number, to: number, step: number): NumberControl => {
+      const change = (value: number, gesture: string): void =>
+        changeBand(page, page.pick, { [key]: value }, gesture);
+      const control = new NumberControl({ label, unit, from, to, step }, change);
+      byId(key.startsWith("fl") ? "pick-sliders" : "pick-numbers").append(control.element);
+      return control;
     };
-    add("angle_deg", "Angle", 0, 90, 1, "°");
-    add("peak_nm", "Peak", 360, 830, 1, "nm");
-    add("width_nm", "Width", 1, 500, 1, "nm");
-    add("height", "Height", 0, 1, 0.01);
-    add("floor", "Floor", 0, 1, 0.01);
-    add("flatness", "Flatness", 0, 0.99, 0.01);
+    this.controls = [
+      [number("angle_deg", "Angle", "°", 0, 90, 1), (pick) => pick.angleDeg],
+      [number("peak_nm", "Peak", "nm", 360, 830, 1), (pick) => pick.peakNm],
+      [number("width_nm", "Width", "nm", 1, 500, 1), (pick) => pick.widthNm],
+      [number("height", "Height", "", 0, 1, 0.01), (pick) => pick.height],
+      [number("floor", "Floor", "", 0, 1, 0.01), (pick) => pick.floor],
+      [number("flatness", "Flatness", "", 0, 0.99, 0.01), (pick) => pick.flatness],
+    ];
     this.native.addEventListener("input", () => this.setColour(this.native.value));
     this.native.addEventListener("change", () => ++this.gesture);
     this.text.addEventListener("change", () => this.setColour(this.text.value.trim()));
@@ -46,47 +45,38 @@ export class PalettePanel {
   }
 
   show(): void {
-    const pick = this.page.material?.picks?.[this.page.pick];
+    const pick = this.page.material?.curve && this.page.material.picks?.[this.page.pick];
     if (!pick) return;
     const most = pick.widthNm <= 200 ? 200 : pick.widthNm <= 400 ? 400 : 800;
-    if (most !== this.plot.x.to && !this.plot.element.contains(document.activeElement)) {
-      this.plot.element.remove();
-      this.plot = this.newPlot(most);
-    }
+    if (most !== this.plot.x.to && !byId("palette").contains(document.activeElement)) this.plot = this.newPlot(most);
     byId("palette-title").textContent = `Pick ${this.page.pick + 1}: width and height`;
     const text = `${short(pick.widthNm)} nm, height ${short(pick.height)}`;
-    this.plot.show([
-      { x: pick.widthNm, y: pick.height, colour: hex(pick.rgb), name: "Width and height", text, isSelected: true },
-    ]);
-    const numbers = { angle_deg: pick.angleDeg, peak_nm: pick.peakNm, width_nm: pick.widthNm, height: pick.height };
-    const all: Record<string, number> = { ...numbers, floor: pick.floor, flatness: pick.flatness };
-    for (const [key, control] of Object.entries(this.controls)) control.show(all[key], pick.colour === undefined);
-    this.showColour(pick);
+    const colour = hex(pick.rgb);
+    this.plot.show([{ x: pick.widthNm, y: pick.height, colour, name: "Width and height", text, isSelected: true }]);
+    for (const [control, of] of this.controls) control.show(of(pick));
+    this.showColour(pick, colour);
     this.drawField(pick);
   }
 
   private newPlot(mostNm: number): Plot {
+    this.fieldKey = "";
     const ticks = [0, 1, 2, 3, 4].map((quarter) => (quarter * mostNm) / 4);
-    const plot = new Plot(
-      "Palette: width and height",
-      { label: "width (nm)", from: 0, to: mostNm, ticks, unit: "nm", step: 1, leap: 10 },
-      { label: "height", from: 0, to: 1, ticks: [0, 0.25, 0.5, 0.75, 1], unit: "", step: 0.01, leap: 0.1 },
+    return new Plot(
+      ...(["palette", "Palette: width and height"] as const),
+      { label: "width (nm)", from: 0, to: mostNm, ticks, step: 1, leap: 10 },
+      { label: "height", from: 0, to: 1, ticks: [0, 0.25, 0.5, 0.75, 1], step: 0.01, leap: 0.1 },
       {
-        move: (_, width, height, gesture) =>
-          changeBand(this.page, this.page.pick, { width_nm: Math.max(width, 1), height }, gesture),
-        select: () => {},
+        move: (_, widthNm, height, gesture) =>
+          changeBand(this.page, this.page.pick, { width_nm: Math.max(widthNm, 1), height }, gesture),
       },
     );
-    byId("palette").append(plot.element);
-    this.fieldKey = "";
-    return plot;
   }
 
   private dropper(): HTMLElement[] {
-    const Dropper = (window as unknown as { EyeDropper?: new () => EyeDropperLike }).EyeDropper;
-    if (!Dropper) return [];
+    const { EyeDropper } = window as unknown as { EyeDropper?: Dropper };
+    if (!EyeDropper) return [];
     const take = async (): Promise<void> => {
-      const taken = await new Dropper().open().catch(() => undefined);
+      const taken = await new EyeDropper().open().catch(() => undefined);
       if (taken) this.setColour(taken.sRGBHex);
     };
     return [el("button", { click: () => void take(), title: "Take a colour from the screen" }, "Eyedropper")];
@@ -94,20 +84,17 @@ export class PalettePanel {
 
   private setColour(colour: string): void {
     const { material, pick, doc } = this.page;
-    if (!material || !/^#?([0-9a-f]{3}|[0-9a-f]{6})$/i.test(colour)) {
+    if (!/^#?([0-9a-f]{3}|[0-9a-f]{6})$/i.test(colour)) {
       this.page.say(`"${colour}" is not a colour; write it as #22aa44`);
       return;
     }
-    const path = `${materialPath(material)}.picks[${pick}]`;
-    const key = doc.value(`${path}.color`) ? "color" : "colour";
-    const removed = ["peak_nm", "width_nm", "height", "floor", "flatness", "space"];
-    const written = `#${colour.replace("#", "").toLowerCase()}`;
-    const gone = removed.filter((name) => doc.value(`${path}.${name}`) !== undefined);
-    doc.exchange(path, { [key]: written }, gone, `colour ${this.gesture}`);
+    const path = `${materialPath(material!)}.picks[${pick}]`;
+    const replaced = ["peak_nm", "width_nm", "height", "floor", "flatness", "space", "color"];
+    const given = replaced.filter((key) => doc.has(`${path}.${key}`));
+    doc.exchange(path, { colour: `#${colour.replace("#", "").toLowerCase()}` }, given, `colour ${this.gesture}`);
   }
 
-  private showColour(pick: Pick): void {
-    const shown = hex(pick.rgb);
+  private showColour(pick: Pick, shown: string): void {
     const asked = pick.colour?.startsWith("#") ? pick.colour : shown;
     if (document.activeElement !== this.native) this.native.value = asked.length === 7 ? asked : shown;
     if (document.activeElement !== this.text) this.text.value = asked;
@@ -120,17 +107,13 @@ export class PalettePanel {
 
   // Two rows are enough: colours are linear in the height.
   private drawField(pick: Pick): void {
-    const most = this.plot.x.to;
-    const key = [pick.peakNm, pick.floor, pick.flatness, most].join();
+    const key = [this.page.doc.light, pick.peakNm, pick.floor, pick.flatness, this.plot.x.to].join();
     if (key === this.fieldKey) return;
     this.fieldKey = key;
-    const field = this.page.here.paletteField(pick, most, columns, 2);
-    const rgb = [0, 0, 0];
-    paint(this.plot.field, columns, rows, (column, row) => {
-      for (let i = 0; i < 3; ++i) {
-        rgb[i] = mix(field[3 * column + i]!, field[3 * (columns + column) + i]!, 1 - row / (rows - 1));
-      }
-      return rgb;
+    const field = this.page.here.paletteField(pick, this.plot.x.to, columns, 2);
+    paint(this.plot.field, columns, rows, (column, row, rgb) => {
+      const height = 1 - row / (rows - 1);
+      for (let i = 0; i < 3; ++i) rgb[i] = mix(field[3 * column + i]!, field[3 * (columns + column) + i]!, height);
     });
   }
 }

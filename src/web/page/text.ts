@@ -1,7 +1,7 @@
 // The scene as text: line numbers, the line of a mistake, and the messages as the program says them.
 
 import { byId, el } from "./dom";
-import type { Page } from "./page";
+import type { NacrePage } from "./main";
 import { offsetOf } from "./toml_text";
 
 const pauseMs = 150;
@@ -10,9 +10,10 @@ export class TextPanel {
   private readonly area = byId<HTMLTextAreaElement>("text-area");
   private readonly colours = byId("text-colours");
   private readonly numbers = byId("text-numbers");
+  private painted: string[] = [];
   private timer = 0;
 
-  constructor(private readonly page: Page) {
+  constructor(private readonly page: NacrePage) {
     this.area.addEventListener("input", () => {
       clearTimeout(this.timer);
       this.paint();
@@ -23,21 +24,20 @@ export class TextPanel {
 
   show(): void {
     const { doc } = this.page;
+    if (document.body.classList.contains("text-folded")) return;
     if (this.area.value !== doc.text) {
       const { selectionStart, selectionEnd } = this.area;
       this.area.value = doc.text;
       if (document.activeElement === this.area) this.area.setSelectionRange(selectionStart, selectionEnd);
     }
-    const { mistakes, warnings } = doc.opened;
-    const messages = mistakes.map(({ message, line, column }) => {
+    const messages = doc.opened.mistakes.map(({ message, line, column }) => {
+      if (line === 0) return el("li", { class: "mistake" }, message);
       const jump = (): void => this.jump(line, column);
-      const text = message.replace(/^scene\.toml:/, line > 0 ? "" : "$&");
-      return el("li", { class: "mistake" }, line > 0 ? el("button", { click: jump }, text) : text);
+      return el("li", { class: "mistake" }, el("button", { click: jump }, message.replace("scene.toml:", "")));
     });
-    const cautions = [...warnings, ...(this.page.baked?.warnings ?? [])];
-    byId("messages").replaceChildren(...messages, ...cautions.map((text) => el("li", { class: "warning" }, text)));
-    byId("messages-summary").textContent =
-      mistakes.length === 0 ? "" : "The panels show the last text without mistakes.";
+    const warnings = [...doc.opened.warnings, ...(this.page.baked?.warnings ?? [])];
+    byId("messages").replaceChildren(...messages, ...warnings.map((text) => el("li", { class: "warning" }, text)));
+    byId("messages-summary").hidden = messages.length === 0;
     this.paint();
   }
 
@@ -47,22 +47,29 @@ export class TextPanel {
     this.area.setSelectionRange(at, at);
   }
 
-  // The same text below the transparent one of the text area, in colours.
+  // The same text below the transparent one of the text area, in colours. Lines that have not changed stay.
   private paint(): void {
     const wrong = new Set(this.page.doc.opened.mistakes.map((mistake) => mistake.line));
-    const lines = this.area.value.split("\n");
-    this.colours.replaceChildren(
-      ...lines.map((line, i) => {
-        const parts = /^(\s*\[+[^\]=]*\]+)?((?:"[^"]*"|[^"#])*)(#.*)?$/.exec(line) ?? [line, "", line, ""];
-        const spans = ["heading", "plain", "comment"].map((kind, part) =>
-          el("span", { class: kind }, parts[part + 1] ?? ""),
-        );
-        return el("div", { class: wrong.has(i + 1) ? "wrong" : "" }, ...spans, "\u200b");
-      }),
-    );
-    this.numbers.replaceChildren(
-      ...lines.map((_, i) => el("div", { class: wrong.has(i + 1) ? "wrong" : "" }, String(i + 1))),
-    );
+    const lines = this.area.value.split("\n").map((line, i) => (wrong.has(i + 1) ? `!${line}` : ` ${line}`));
+    for (let i = this.painted.length; i < lines.length; ++i) {
+      this.colours.append(el("div"));
+      this.numbers.append(el("div", {}, String(i + 1)));
+    }
+    for (const column of [this.colours, this.numbers]) {
+      while (column.childNodes.length > lines.length) column.lastChild!.remove();
+    }
+    lines.forEach((line, i) => {
+      if (line === this.painted[i]) return;
+      const parts = /^(\s*\[+[^\]=]*\]+)?((?:"[^"]*"|[^"#])*)(#.*)?$/.exec(line.slice(1)) ?? ["", "", line.slice(1), ""];
+      const kinds = ["heading", "plain", "comment"];
+      const spans = kinds.map((kind, part) => el("span", { class: kind }, parts[part + 1] ?? ""));
+      const shown = this.colours.childNodes[i] as HTMLElement;
+      shown.replaceChildren(...spans, "\u200b");
+      for (const element of [shown, this.numbers.childNodes[i] as HTMLElement]) {
+        element.className = line.startsWith("!") ? "wrong" : "";
+      }
+    });
+    this.painted = lines;
     this.follow();
   }
 

@@ -82,9 +82,11 @@ function applied(text: string, edits: Edit[]): string {
   return text;
 }
 
-/** The text with other values. Keys and tables that are missing are inserted. */
-export function withValues(text: string, values: Values, changes: Record<string, TomlValue>): string {
-  const edits = Object.entries(changes).map(([path, value]) => {
+/** The text with other values. Keys and tables that are missing are inserted.
+ *  @param table  the keys of `changes` are of this one; "" if they are paths */
+export function withValues(text: string, values: Values, changes: Record<string, TomlValue>, table = ""): string {
+  const edits = Object.entries(changes).map(([key, value]) => {
+    const path = table === "" ? key : `${table}.${key}`;
     const known = values[path];
     if (!known) return insertion(text, values, path, inToml(value));
     return { ...spanOf(text, known.place), text: inToml(value) };
@@ -94,23 +96,22 @@ export function withValues(text: string, values: Values, changes: Record<string,
 
 /** The text with one more item at the end of an array. */
 export function withItem(text: string, values: Values, array: string, literal: string): string {
-  const known = values[array];
-  if (!known) return withValues(text, values, { [array]: { toml: `[${literal}]` } });
-  const { begin, end } = spanOf(text, known.place);
-  if (!isAssigned(text, begin)) return text;
-  let last = 0;
-  while (values[`${array}[${last}]`]) ++last;
-  if (last === 0) return applied(text, [{ begin: begin + 1, end: begin + 1, text: literal }]);
-  const lastEnd = spanOf(text, values[`${array}[${last - 1}]`]!.place).end;
-  const rest = text.slice(lastEnd, end - 1);
+  let count = 0;
+  while (values[`${array}[${count}]`]) ++count;
+  const last = values[`${array}[${count - 1}]`];
+  if (!last) return withValues(text, values, { [array]: { toml: `[${literal}]` } });
+  const { begin, end } = spanOf(text, last.place);
+  const whole = spanOf(text, values[array]!.place);
+  if (!isAssigned(text, whole.begin)) return text;
+  const rest = text.slice(end, whole.end - 1);
+  if (!rest.includes("\n")) return applied(text, [{ begin: end, end, text: `, ${literal}` }]);
+  const indent = /^[ \t]*/.exec(text.slice(text.lastIndexOf("\n", begin) + 1))![0];
   const hasComma = rest.replace(/#.*$/gm, "").includes(",");
-  if (!rest.includes("\n")) return applied(text, [{ begin: lastEnd, end: lastEnd, text: `, ${literal}` }]);
-  const lineStart = text.lastIndexOf("\n", spanOf(text, values[`${array}[${last - 1}]`]!.place).begin) + 1;
-  const indent = /^[ \t]*/.exec(text.slice(lineStart))![0];
-  const lineEnd = endOfLine(text, lastEnd);
-  const edits = [{ begin: lineEnd, end: lineEnd, text: `\n${indent}${literal}${hasComma ? "," : ""}` }];
-  if (!hasComma) edits.push({ begin: lastEnd, end: lastEnd, text: "," });
-  return applied(text, edits);
+  const lineEnd = endOfLine(text, end);
+  return applied(text, [
+    { begin: end, end, text: hasComma ? "" : "," },
+    { begin: lineEnd, end: lineEnd, text: `\n${indent}${literal}${hasComma ? "," : ""}` },
+  ]);
 }
 
 /** The text without a value: a key of a table, or an item of an array. */

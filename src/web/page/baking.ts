@@ -61,8 +61,7 @@ export class WorkerBakes {
 
   private async bake({ text, luts }: BakeRequest, isCoarse: boolean): Promise<BakedLut[]> {
     const opening = this.worker.open(text);
-    const baked = await Promise.all(luts.map((lut) => this.worker.bake(lut, isCoarse)));
-    await opening;
-    return baked;
+    const baking = Promise.all(luts.map((lut) => this.worker.bake(lut, isCoarse)));
+    return (await Promise.all([baking, opening]))[0];
   }
 }

@@ -26,7 +26,7 @@ export class SceneDocument {
 
   /** Another text. Edits with the same gesture are one step of undo. */
   replace(text: string, gesture = ""): void {
-    if (text === this.text) return;
+    if (text === this.text) return this.read();
     const now = performance.now();
     const isSameStep = gesture !== "" && gesture === this.gesture && now - this.editedMs < gestureMs;
     this.steps.splice(isSameStep ? this.at : this.at + 1, Infinity, text);

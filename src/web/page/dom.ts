@@ -59,7 +59,7 @@ function fitted(value: number, most: number): number {
   return beyond > 0 && most > 0 ? most * (0.1 - (0.1 * beyond) / (1 + beyond ** 1.2) ** (1 / 1.2)) : value;
 }
 
-/** Paints a canvas. `write` puts the linear Rec.709 of a column and a row, the first row on top, into its last argument. */
+/** Paints a canvas. `write` puts linear Rec.709 of a column and a row, the first row on top, into its last argument. */
 export function paint(
   canvas: HTMLCanvasElement,
   width: number,

@@ -58,7 +58,8 @@ export class SearchPanel {
       byId("search-time").textContent = `${short((performance.now() - start) / 1000, 2)} s`;
     };
     try {
-      const [, found] = await Promise.all([worker.open(doc.text), worker.findStructure(material!.name, mechanism, step)]);
+      const opening = worker.open(doc.text);
+      const [found] = await Promise.all([worker.findStructure(material!.name, mechanism, step), opening]);
       const take = (): void => {
         this.result.replaceChildren();
         doc.replace(found.text);

@@ -102,7 +102,8 @@ export class FilesPanel {
       byId("exports").hidePopover();
       await Promise.resolve(action()).catch((failure: Error) => page.say(failure.message));
     };
-    byId("exports").replaceChildren(...actions.map(([words, action]) => el("button", { click: () => void run(action) }, words)));
+    const buttons = actions.map(([words, action]) => el("button", { click: () => void run(action) }, words));
+    byId("exports").replaceChildren(...buttons);
   }
 
   private async copy(text: string, what: string): Promise<void> {

@@ -97,7 +97,8 @@ export class NacrePage {
   /** Runs when the worker has nothing more urgent to do, one after the other. Nothing if it was cancelled or failed. */
   inSpareTime<Result>(work: (worker: AsyncEngine, lut: string) => Promise<Result>): Promise<Result | undefined> {
     const run = async (): Promise<Result | undefined> => {
-      while (this.bakes.isBusy || this.search.isSearching) await new Promise((resolve) => setTimeout(resolve, spareMs));
+      const isBusy = (): boolean => this.bakes.isBusy || this.search.isSearching;
+      while (isBusy()) await new Promise((resolve) => setTimeout(resolve, spareMs));
       return this.askWorker(work).catch(() => undefined);
     };
     const result = this.turn.then(run);
@@ -107,7 +108,8 @@ export class NacrePage {
 
   /** Asks whichever engine baked what is shown. */
   async asked<Result>(work: (engine: Engine | AsyncEngine, lut: string) => Result | Promise<Result>): Promise<Result> {
-    return this.isBakedHere ? work(this.here, this.lut!.name) : this.askWorker(async (worker, lut) => work(worker, lut));
+    if (this.isBakedHere) return work(this.here, this.lut!.name);
+    return this.askWorker(async (worker, lut) => work(worker, lut));
   }
 
   private async askWorker<Result>(work: (worker: AsyncEngine, lut: string) => Promise<Result>): Promise<Result> {

@@ -49,10 +49,13 @@ const keys: Record<string, Key[]> = {
   ],
   measured: facets,
 };
+const layers = ["film", "stack", "crystal"];
 const indices: Record<string, string> = {
   ...{ incident: "In front", index: "Index", film: "Film", gap: "Gap", substrate: "Substrate" },
   ...{ sphere: "Spheres", medium: "Medium", particle: "Particles", coat: "Coat" },
 };
+// An index that is a table or a list, and one that the scene does not say.
+const unnamed = ["as in the text", "default"];
 const starts: Record<string, string> = {
   palette: `picks = [
     { angle_deg = 0, peak_nm = 460, width_nm = 70, height = 1.0 },
@@ -161,9 +164,10 @@ export class MechanismsPanel {
   // What the scene leaves to nacre's defaults. Tilt and roughness exclude each other.
   private standards(mechanism: string, root: string, given: string[]): string[] {
     const hasFacets = facets.some((facet) => given.includes(root + facet.key));
-    return keys[mechanism]!.filter((one) => one.standard !== undefined)
-      .filter((one) => !given.some((path) => path.startsWith(root + one.key)) && !(hasFacets && facets.includes(one)))
-      .map((one) => root + one.key);
+    const isMissing = (name: string): boolean => !given.some((path) => path.startsWith(root + name));
+    const left = keys[mechanism]!.filter((one) => one.standard !== undefined && !(hasFacets && facets.includes(one)));
+    const names = [...(layers.includes(mechanism) ? ["substrate"] : []), ...left.map((one) => one.key)];
+    return names.filter(isMissing).map((name) => root + name);
   }
 
   private rowOf(path: string, root: string, mechanism: string): Row[] {
@@ -191,13 +195,16 @@ export class MechanismsPanel {
     const spec = { label, from: 1, to: 4, step: 0.01 };
     const control = new NumberControl(spec, (value, gesture) => doc.set({ [path]: value }, gesture));
     const options = here.shippedMaterials().map(({ name, about }) => el("option", { value: name, title: about }, name));
-    const select = el("select", { "aria-label": `${label}: material` }, el("option", { value: "" }, "number"), ...options);
-    select.addEventListener("change", () => doc.set({ [path]: select.value === "" ? 1.5 : select.value }));
+    const choose = (): void => {
+      if (!unnamed.includes(select.value)) doc.set({ [path]: select.value === "" ? 1.5 : select.value });
+    };
+    const select = el("select", { "aria-label": `${label}: material`, change: choose });
+    select.append(el("option", { value: "" }, "number"), ...options);
     control.element.lastElementChild!.replaceWith(select);
     control.element.classList.add("index");
     const show = (): void => {
       const value = doc.value(path);
-      const other = value === undefined ? "as in the text" : String(value);
+      const other = String(value ?? unnamed[doc.has(path) ? 0 : 1]);
       const isNumber = typeof value === "number";
       if (!isNumber && !options.some((option) => option.value === other)) {
         options.push(el("option", { value: other }, other));

@@ -53,7 +53,9 @@ export class OutputPanel {
     this.view.draw();
   }
 
-  private number(label: string, unit: string, from: number, to: number, first: number, change: (n: number) => void): void {
+  private number(
+    ...[label, unit, from, to, first, change]: [string, string, number, number, number, (value: number) => void]
+  ): void {
     const show = (value: number): void => {
       control.show(value);
       change(value);

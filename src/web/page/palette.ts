@@ -23,10 +23,10 @@ export class PalettePanel {
   private readonly note = el("p", { class: "note", role: "status" });
 
   constructor(private readonly page: NacrePage) {
-    const number = (key: string, label: string, unit: string, from: number, to: number, step: number): NumberControl => {
-      const change = (value: number, gesture: string): void =>
-        changeBand(page, page.pick, { [key]: value }, gesture);
-      const control = new NumberControl({ label, unit, from, to, step }, change);
+    const number = (key: string, label: string, unit: string, from: number, to: number, step: number) => {
+      const control = new NumberControl({ label, unit, from, to, step }, (value, gesture) =>
+        changeBand(page, page.pick, { [key]: value }, gesture),
+      );
       byId(key.startsWith("fl") ? "pick-sliders" : "pick-numbers").append(control.element);
       return control;
     };
@@ -41,7 +41,7 @@ export class PalettePanel {
     this.native.addEventListener("input", () => this.setColour(this.native.value));
     this.native.addEventListener("change", () => ++this.gesture);
     this.text.addEventListener("change", () => this.setColour(this.text.value.trim()));
-    byId("colour").append(this.native, this.text, ...this.dropper(), this.made, this.note);
+    byId("colour").append(this.native, this.text, ...this.dropper(), el("span", { class: "note" }, "shows"), this.made, this.note);
   }
 
   show(): void {

@@ -110,7 +110,7 @@ export class PlanePanel {
     const changes: Record<string, number> = {};
     if (Math.abs(peakNm - pick.peakNm) >= 1) changes.peak_nm = peakNm;
     if (Math.abs(angleDeg - pick.angleDeg) >= 1) changes.angle_deg = angleDeg;
-    changeBand(this.page, index, changes, gesture);
+    if (Object.keys(changes).length > 0) changeBand(this.page, index, changes, gesture);
   }
 
   // The new pick has the width and the height that the curve has at its angle.

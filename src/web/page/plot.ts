@@ -1,4 +1,4 @@
-// A plane with two axes, a field of colours behind it and squares to drag: the plane of peak and angle, and the palette.
+// Two axes, a field of colours behind them and squares to drag: the plane of peak and angle, and the palette.
 
 import { byId, clamp, el, set, svg } from "./dom";
 
@@ -59,6 +59,7 @@ export class Plot {
     private readonly drawCurves: () => void = () => {},
   ) {
     set(this.picture, { "aria-label": name, dblclick: (event: MouseEvent) => this.doubleClicked(event) });
+    this.field.dataset.toX = String(x.to);
     this.picture.append(this.frame, this.curves, this.squares);
     byId(home).replaceChildren(el("div", { class: "plot" }, this.field, this.picture));
     new ResizeObserver(() => this.layout()).observe(byId(home));
@@ -89,7 +90,8 @@ export class Plot {
     this.width = this.picture.clientWidth;
     this.height = this.picture.clientHeight;
     if (this.width < 80 || this.height < 80) return;
-    const [left, right, bottom, top] = [this.px(this.x.from), this.px(this.x.to), this.py(this.y.from), this.py(this.y.to)];
+    const [left, right] = [this.px(this.x.from), this.px(this.x.to)];
+    const [bottom, top] = [this.py(this.y.from), this.py(this.y.to)];
     this.field.style.cssText = `left:${left}px;top:${top}px;width:${right - left}px;height:${bottom - top}px`;
     this.frame.replaceChildren(
       svg("rect", { x: left, y: top, width: right - left, height: bottom - top }),
@@ -116,7 +118,8 @@ export class Plot {
     set(group.querySelector(".inside")!, { fill: square.colour });
     const isLeft = x > this.width - 150;
     const labelY = y < margin.top + 16 ? 16 : y > this.height - margin.bottom - 14 ? -12 : 5;
-    const label = set(group.querySelector("text")!, { x: isLeft ? -16 : 16, y: labelY, class: isLeft ? "end" : "start" });
+    const label = group.querySelector("text")!;
+    set(label, { x: isLeft ? -16 : 16, y: labelY, class: isLeft ? "end" : "start" });
     label.textContent = square.text;
   }
 

@@ -5,6 +5,8 @@ import type { NacrePage } from "./main";
 import { offsetOf } from "./toml_text";
 
 const pauseMs = 150;
+// A heading, what is neither, and a comment.
+const partsOfLine = /^(\s*\[+[^\]=]*\]+)?((?:"[^"]*"|[^"#])*)(#.*)?$/;
 
 export class TextPanel {
   private readonly area = byId<HTMLTextAreaElement>("text-area");
@@ -35,8 +37,8 @@ export class TextPanel {
       const jump = (): void => this.jump(line, column);
       return el("li", { class: "mistake" }, el("button", { click: jump }, message.replace("scene.toml:", "")));
     });
-    const warnings = [...doc.opened.warnings, ...(this.page.baked?.warnings ?? [])];
-    byId("messages").replaceChildren(...messages, ...warnings.map((text) => el("li", { class: "warning" }, text)));
+    const warnings = doc.opened.warnings.map((text) => el("li", { class: "note" }, text));
+    byId("messages").replaceChildren(...messages, ...warnings);
     byId("messages-summary").hidden = messages.length === 0;
     this.paint();
   }
@@ -60,7 +62,7 @@ export class TextPanel {
     }
     lines.forEach((line, i) => {
       if (line === this.painted[i]) return;
-      const parts = /^(\s*\[+[^\]=]*\]+)?((?:"[^"]*"|[^"#])*)(#.*)?$/.exec(line.slice(1)) ?? ["", "", line.slice(1), ""];
+      const parts = partsOfLine.exec(line.slice(1)) ?? ["", "", line.slice(1)];
       const kinds = ["heading", "plain", "comment"];
       const spans = kinds.map((kind, part) => el("span", { class: kind }, parts[part + 1] ?? ""));
       const shown = this.colours.childNodes[i] as HTMLElement;

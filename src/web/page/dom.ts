@@ -129,7 +129,7 @@ export class NumberControl {
     const filled = (Number(this.slider.value) - low) / (Number(this.slider.max) - low);
     this.slider.style.setProperty("--filled", `${100 * filled}%`);
     this.slider.setAttribute("aria-valuetext", `${short(value, 4)} ${unit ?? ""}`);
-    if (!this.isTyping) this.field.value = short(value, 5);
+    if (!this.isTyping) this.field.value = short(value, 4);
   }
 
   private slid(): void {

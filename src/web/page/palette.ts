@@ -23,7 +23,8 @@ export class PalettePanel {
   private readonly note = el("p", { class: "note", role: "status" });
 
   constructor(private readonly page: NacrePage) {
-    const number = (key: string, label: string, unit: string, from: number, to: number, step: number) => {
+    type Numbers = [key: string, label: string, unit: string, from: number, to: number, step: number];
+    const number = (...[key, label, unit, from, to, step]: Numbers): NumberControl => {
       const control = new NumberControl({ label, unit, from, to, step }, (value, gesture) =>
         changeBand(page, page.pick, { [key]: value }, gesture),
       );
@@ -41,7 +42,7 @@ export class PalettePanel {
     this.native.addEventListener("input", () => this.setColour(this.native.value));
     this.native.addEventListener("change", () => ++this.gesture);
     this.text.addEventListener("change", () => this.setColour(this.text.value.trim()));
-    byId("colour").append(this.native, this.text, ...this.dropper(), el("span", { class: "note" }, "shows"), this.made, this.note);
+    byId("colour").append(this.native, this.text, ...this.dropper(), el("span", { class: "dim" }, "shows"), this.made, this.note);
   }
 
   show(): void {

@@ -19,7 +19,9 @@
 #include "web/session.h"
 
 // Told how far a search is; defined by the page, see page/module.ts.
-EM_JS(void, nacre_tell, (int done), { if (Module.step) Module.step(done); });
+EM_JS(void, nacre_tell, (int done), {
+    if (Module.step) Module.step(done);
+});
 
 namespace nacre {
 namespace {

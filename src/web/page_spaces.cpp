@@ -40,7 +40,8 @@ public:
 private:
     // By name, by the alias of the ACES configs, or by a role.
     static bool is_srgb(const std::string& name) {
-        return name == SrgbColourSpace::known_name || name == "sRGB - Texture" || name == "srgb_tx" || name == "color_picking";
+        return name == SrgbColourSpace::known_name || name == "sRGB - Texture" || name == "srgb_tx" ||
+               name == "color_picking";
     }
 
     std::shared_ptr<const ColourSpaces> linear_ = own_colour_spaces();
@@ -53,7 +54,8 @@ private:
 
 std::shared_ptr<const ColourSpaces> page_spaces(const ColourConfigChoice& choice) {
     if (choice.path.empty()) return std::make_shared<const PageSpaces>();
-    throw Error(choice.where + ": the page has the spaces of nacre's own config and no OpenColorIO; remove config here, " +
+    throw Error(choice.where +
+                ": the page has the spaces of nacre's own config and no OpenColorIO; remove config here, " +
                 "and give it to the program: nacre bake --ocio " + choice.path);
 }
 

@@ -114,8 +114,11 @@ std::vector<std::string> Session::luts() const {
 }
 
 Json Session::open(const std::string& text) {
-    Json json{{"mistakes", Json::array()}, {"warnings", Json::array()}, {"values", values_json(text)},
-              {"materials", Json::array()}, {"luts", Json::array()}};
+    Json json{{"mistakes", Json::array()},
+              {"warnings", Json::array()},
+              {"values", values_json(text)},
+              {"materials", Json::array()},
+              {"luts", Json::array()}};
     SceneRequest request = page_request();
     request.all_materials = true;
     request.on_warning = [&](const std::string& warning) { json["warnings"].push_back(warning); };
@@ -141,10 +144,12 @@ Json Session::open(const std::string& text) {
 
 Session::Entry& Session::baked(const std::string& lut) {
     const auto find = [&] {
-        return std::find_if(entries_.begin(), entries_.end(), [&](const Entry& e) { return e.decided.asked->name == lut; });
+        return std::find_if(entries_.begin(), entries_.end(),
+                            [&](const Entry& e) { return e.decided.asked->name == lut; });
     };
     if (find() == entries_.end()) {
-        for (DecidedLut& one : decided_with_its_pair(scene(), planned(lut))) entries_.push_back({std::move(one), nullptr});
+        for (DecidedLut& one : decided_with_its_pair(scene(), planned(lut)))
+            entries_.push_back({std::move(one), nullptr});
     }
     Entry& entry = *find();
     if (!entry.decided.failure.empty()) throw Error(entry.decided.failure);

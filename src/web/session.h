@@ -13,16 +13,16 @@
 
 namespace nacre {
 
-/// What the page does with nacre: a scene is opened from its text, and its LUTs are baked in memory. The answers are JSON
-/// of the types in page/api.ts; numbers by the thousand come beside it, as bytes.
+/// What the page does with nacre: a scene is opened from its text, and its LUTs are baked in memory. The answers are
+/// JSON of the types in page/api.ts; numbers by the thousand come beside it, as bytes.
 ///
 /// Colour spaces are the core's own (lut/rgb_colour_space.h): the page has no OpenColorIO. Files that a scene names are
 /// read from the program's file system, which in the page lies in memory. Every call throws Error with the message that
 /// the program prints.
 class Session {
 public:
-    /// Reads and plans a scene. What is wrong with it is part of the answer; then the scene that was open stays open. So
-    /// does the scene of the same text, with what was baked of it.
+    /// Reads and plans a scene. What is wrong with it is part of the answer; then the scene that was open stays open.
+    /// So does the scene of the same text, with what was baked of it.
     Json open(const std::string& text);
 
     /// To be told when a file has come that scenes may name.

@@ -29,11 +29,10 @@ const RgbColourSpace& rec709() {
 }
 
 Json value_json(const TomlPlace& place) {
-    Json json{{"place",
-               Json{{"line", place.line},
-                    {"column", place.column},
-                    {"endLine", place.end_line},
-                    {"endColumn", place.end_column}}}};
+    Json json{{"place", Json{{"line", place.line},
+                             {"column", place.column},
+                             {"endLine", place.end_line},
+                             {"endColumn", place.end_column}}}};
     if (const auto* truth = std::get_if<bool>(&place.value)) json["value"] = *truth;
     if (const auto* number = std::get_if<double>(&place.value)) json["value"] = *number;
     if (const auto* text = std::get_if<std::string>(&place.value)) json["value"] = *text;
@@ -81,7 +80,8 @@ Json pick_json(const SceneMaterial& material, const Palette& palette, std::size_
 }
 
 Json axis_json_of(const Axis& axis) {
-    if (!axis.is_angle()) return {{"name", axis.parameter.name}, {"isAngle", false}, {"from", axis.from}, {"to", axis.to}};
+    if (!axis.is_angle())
+        return {{"name", axis.parameter.name}, {"isAngle", false}, {"from", axis.from}, {"to", axis.to}};
     return {{"name", axis.kind->name}, {"isAngle", true}, {"from", axis.from}, {"to", axis.to}};
 }
 
@@ -157,9 +157,8 @@ Json lut_summary_json(const PlannedLut& lut) {
 }
 
 Json seconds_json(const DecidedLut& decided, const BakedLut& baked) {
-    return {{"deciding", decided.seconds},
-            {"computing", baked.computing_seconds},
-            {"measuring", baked.measuring_seconds}};
+    return {
+        {"deciding", decided.seconds}, {"computing", baked.computing_seconds}, {"measuring", baked.measuring_seconds}};
 }
 
 std::size_t exr_bytes(const DecidedLut& decided, const BakedLut& baked) {

@@ -1,5 +1,5 @@
-// Prints what a session makes of the one-dimensional LUTs of scenes, as JSON: the module of WebAssembly is compared with
-// it. A folder of a scene is where its tables are.
+// Prints what a session makes of the one-dimensional LUTs of scenes, as JSON: the module of WebAssembly is compared
+// with it. A folder of a scene is where its tables are.
 //
 //   nacre_session_numbers SCENE.toml...
 #include <cstdio>

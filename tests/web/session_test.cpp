@@ -100,7 +100,8 @@ TEST_P(FileOfThePage, IsThatOfTheProgram) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Scenes, FileOfThePage,
-                         testing::Values("morpho", "beetle_stack", "picked_pair", "blue_sky", "oil_film", "compact_disc"));
+                         testing::Values("morpho", "beetle_stack", "picked_pair", "blue_sky", "oil_film",
+                                         "compact_disc"));
 
 // ---- reading a scene
 
@@ -119,8 +120,9 @@ TEST(SessionOpen, EveryShippedSceneOpens) {
 
 TEST(SessionOpen, SaysWhereTheMistakesAre) {
     Session session;
-    nlohmann::json mistakes = parsed(session.open("[material.a]\npicks = [ { angle_deg = 95, peak_nm = 500, width_nm = 90,"
-                                                  " height = 1 } ]\nshap = 0.3\n"))["mistakes"];
+    nlohmann::json mistakes =
+        parsed(session.open("[material.a]\npicks = [ { angle_deg = 95, peak_nm = 500, width_nm = 90,"
+                            " height = 1 } ]\nshap = 0.3\n"))["mistakes"];
     ASSERT_EQ(mistakes.size(), 2u);
     EXPECT_EQ(mistakes[0]["line"], 2);
     EXPECT_EQ(mistakes[0]["column"], 25);
@@ -143,8 +145,9 @@ TEST(SessionOpen, KeepsTheLastGoodScene) {
 // A value is changed in the text where it stands, and nothing else of the text.
 TEST(SessionOpen, ValuesHaveTheirPlaces) {
     Session session;
-    const std::string text = "# \xC3\xA4 comment\n[material.one]\npicks = [\n"
-                             "  { angle_deg = 0, peak_nm = 460, width_nm = 70, height = 1.0 }, # first\n]\n";
+    const std::string text =
+        "# \xC3\xA4 comment\n[material.one]\npicks = [\n"
+        "  { angle_deg = 0, peak_nm = 460, width_nm = 70, height = 1.0 }, # first\n]\n";
     const nlohmann::json values = opened(session, text)["values"];
     const nlohmann::json& peak = values["material.one.picks[0].peak_nm"];
     EXPECT_EQ(peak["value"], 460.0);
@@ -159,8 +162,9 @@ TEST(SessionOpen, ValuesHaveTheirPlaces) {
 TEST(SessionOpen, PicksAreBandsAndTheirColours) {
     Session session;
     const nlohmann::json answer =
-        opened(session, "[material.a]\npicks = [ { angle_deg = 0, colour = \"#22aa44\" }, { angle_deg = 60, peak_nm = 450, "
-                        "width_nm = 80, height = 0.5 } ]\n");
+        opened(session,
+               "[material.a]\npicks = [ { angle_deg = 0, colour = \"#22aa44\" }, { angle_deg = 60, peak_nm = 450, "
+               "width_nm = 80, height = 0.5 } ]\n");
     const nlohmann::json& picks = answer["materials"][0]["picks"];
     EXPECT_EQ(picks[0]["colour"], "#22aa44");
     // sRGB of IEC 61966-2-1: 0x22, 0xaa and 0x44 as light.
@@ -256,8 +260,9 @@ TEST(PaletteField, HasTheColourOfThePickAtItsPlace) {
 
 TEST(FindStructure, FindsAFilmThatShowsThePicks) {
     Session session;
-    opened(session, "[material.a]\npicks = [ { angle_deg = 0, colour = \"#d4a017\" }, { angle_deg = 55, colour = \"#3c9d9b\" "
-                    "} ]\n");
+    opened(session,
+           "[material.a]\npicks = [ { angle_deg = 0, colour = \"#d4a017\" }, { angle_deg = 55, colour = \"#3c9d9b\" "
+           "} ]\n");
     int steps = 0;
     const nlohmann::json found = parsed(session.find_structure("a", "film", [&](int done) { steps = done + 1; }));
     EXPECT_GT(steps, 10);

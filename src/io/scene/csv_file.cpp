@@ -181,7 +181,8 @@ std::optional<double> decimal_number(std::string_view text, int shift) {
     if (!number || !std::isfinite(*number)) return std::nullopt;
     if (shift == 0) return number;
     const std::size_t e = text.find_first_of("eE");
-    const std::optional<int> exponent = e == std::string_view::npos ? 0 : whole_number(without_plus(text.substr(e + 1)));
+    const std::optional<int> exponent =
+        e == std::string_view::npos ? 0 : whole_number(without_plus(text.substr(e + 1)));
     if (!exponent) return std::nullopt;
     return read_decimal(std::string(without_plus(text.substr(0, e))) + "e" + std::to_string(*exponent + shift));
 }

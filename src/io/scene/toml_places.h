@@ -8,8 +8,8 @@ namespace nacre {
 
 /// A value of a TOML text, and where it stands: for editors, which change single values and leave the rest alone.
 struct TomlPlace {
-    /// From the top: "material.morpho.picks[0].peak_nm". Keys with other characters than letters, digits, _ and - are in
-    /// quotes.
+    /// From the top: "material.morpho.picks[0].peak_nm". Keys with other characters than letters, digits, _ and - are
+    /// in quotes.
     std::string path;
     /// Nothing for an array or a table.
     std::variant<std::monostate, bool, double, std::string> value;

@@ -35,14 +35,16 @@ std::string without_exponent(const std::string& scientific, int exponent) {
 }  // namespace
 
 std::string shortest_decimal(double value) {
-    if (!std::isfinite(value)) return std::isnan(value) ? (std::signbit(value) ? "-nan" : "nan") : value < 0 ? "-inf" : "inf";
+    if (!std::isfinite(value))
+        return std::isnan(value) ? (std::signbit(value) ? "-nan" : "nan") : value < 0 ? "-inf" : "inf";
     std::string scientific;
     for (int digits = 1; digits <= most_digits; ++digits) {
         scientific = printed("%.*e", digits - 1, value);
         if (std::strtod(scientific.c_str(), nullptr) == value) break;
     }
     const int exponent = std::atoi(scientific.c_str() + scientific.find('e') + 1);
-    // Where both are equally long, std::to_chars() prefers the one without an exponent, and writes whole numbers exactly.
+    // Where both are equally long, std::to_chars() prefers the one without an exponent, and writes whole numbers
+    // exactly.
     const std::string plain = without_exponent(scientific, exponent);
     if (plain.size() > scientific.size()) return scientific;
     return plain.find('.') == std::string::npos ? printed("%.*f", 0, value) : plain;
@@ -87,8 +89,8 @@ std::string fixed_decimal(double value, int decimals) {
 
 double rounded_to_digits(double value, int digits) {
     std::array<char, 32> text{};
-    const auto written = std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::scientific,
-                                       digits - 1);
+    const auto written =
+        std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::scientific, digits - 1);
     double rounded = value;  // values that are not finite stay as they are
     std::from_chars(text.data(), written.ptr, rounded);
     return rounded;

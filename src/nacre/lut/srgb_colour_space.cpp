@@ -18,8 +18,8 @@ double line_slope() {
 
 double decoded(double encoded) {
     const double size = std::abs(encoded);
-    const double light = size > offset / (gamma - 1.0) ? std::pow((size + offset) / (1.0 + offset), gamma)
-                                                        : size * line_slope();
+    const double light =
+        size > offset / (gamma - 1.0) ? std::pow((size + offset) / (1.0 + offset), gamma) : size * line_slope();
     return std::copysign(light, encoded);
 }
 

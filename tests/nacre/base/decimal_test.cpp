@@ -34,9 +34,30 @@ TEST(Decimal, ShortestIsThatOfCharconv) {
 }
 
 TEST(Decimal, ShortestOfNumbersAtTheEdges) {
-    for (const double value : {0.0, -0.0, 1.0, 100.0, 1000.0, 100000.0, 123456.0, 1e15, 1e16, 1e17, 1e22, 1e23, 0.001,
-                               0.0001, 0.00001, 1e-5, 1.5e-5, 5e-324, 1.7976931348623157e308, 123456789012345680.0,
-                               9007199254740993.0, 1.0 / 3.0, HUGE_VAL, -HUGE_VAL})
+    for (const double value : {0.0,
+                               -0.0,
+                               1.0,
+                               100.0,
+                               1000.0,
+                               100000.0,
+                               123456.0,
+                               1e15,
+                               1e16,
+                               1e17,
+                               1e22,
+                               1e23,
+                               0.001,
+                               0.0001,
+                               0.00001,
+                               1e-5,
+                               1.5e-5,
+                               5e-324,
+                               1.7976931348623157e308,
+                               123456789012345680.0,
+                               9007199254740993.0,
+                               1.0 / 3.0,
+                               HUGE_VAL,
+                               -HUGE_VAL})
         EXPECT_EQ(by_c_library::shortest_decimal(value), by_charconv(value));
 }
 
@@ -53,9 +74,10 @@ TEST(Decimal, RoundedIsThatOfCharconv) {
 }
 
 TEST(Decimal, ReadsWhatCharconvReads) {
-    for (const char* const text : {"1", "-1", "1.5", ".5", "5.", "1e3", "1E+3", "-0", "inf", "-inf", "1e-400", "0e5",
-                                   "0.0e-999", "1e999", "-1e999", "", " 1", "1 ", "+1", "0x10", "1,5", "e5", "-", "1e",
-                                   "--1", "1e5x", "4.9e-324", "1e-320"}) {
+    for (const char* const text :
+         {"1",      "-1",  "1.5",      ".5",    "5.",     "1e3",  "1E+3",     "-0",    "inf", "-inf",
+          "1e-400", "0e5", "0.0e-999", "1e999", "-1e999", "",     " 1",       "1 ",    "+1",  "0x10",
+          "1,5",    "e5",  "-",        "1e",    "--1",    "1e5x", "4.9e-324", "1e-320"}) {
         const auto mine = by_c_library::read_decimal(text);
         const auto standard = read_decimal(text);
         EXPECT_EQ(mine.has_value(), standard.has_value()) << text;

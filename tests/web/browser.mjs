@@ -42,7 +42,7 @@ export async function openPage(context, hash = "") {
   page.on("pageerror", (error) => page.said.push(String(error)));
   page.on("request", (request) => page.asked.push(request.url()));
   await page.goto(address + hash);
-  await page.waitForSelector("body.ready");
+  await page.waitForFunction(() => window.nacrePage?.baked);
   await settled(page);
   return page;
 }

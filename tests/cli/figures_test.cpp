@@ -12,7 +12,7 @@ TEST(Figures, DataScriptAndPlotOfEveryFigureAreWritten) {
     ASSERT_EQ(result.exit_code, 0) << result.err;
     const std::vector<std::string> names = folder.names();
     for (const std::string plot :
-         {"figure5", "figure7", "figure8", "figure9", "figure14", "stacks_morpho", "stacks_beetle", "bands"}) {
+         {"figure5", "figure7", "figure8", "figure9", "figure14", "stacks_morpho", "stacks_beetle", "study", "bands"}) {
         EXPECT_TRUE(std::filesystem::exists(folder.path() / (plot + ".png"))) << plot;
         EXPECT_TRUE(std::filesystem::exists(folder.path() / (plot + ".gp"))) << plot;
     }
@@ -27,6 +27,11 @@ TEST(Figures, DataScriptAndPlotOfEveryFigureAreWritten) {
     const std::string readme = file_bytes(folder.path() / "README.md");
     EXPECT_NE(readme.find("| 16 layers, 1.6/1.7 | 60° | 460.00 |"), std::string::npos);
     EXPECT_NE(readme.find("**Verdict.**"), std::string::npos);
+    // The table of the automatic user, as the documentation has it.
+    const std::string page = file_bytes(std::filesystem::path(NACRE_SOURCE_DIR) / "configs/mechanisms.md");
+    const std::size_t table = readme.find("| targets made by |");
+    ASSERT_NE(table, std::string::npos);
+    EXPECT_NE(page.find(readme.substr(table, readme.find("\n\n", table) - table)), std::string::npos);
     for (const std::string& name : names) {
         const std::string bytes = file_bytes(folder.path() / name);
         EXPECT_GT(bytes.size(), 20u) << name;

@@ -93,9 +93,10 @@ Command figures_command() {
         "gnuplot\n"
         "script and PNG of each, and a README.md that says what they show. stacks_morpho and stacks_beetle compare "
         "the\n"
-        "paper's palettes with layers that are solved exactly. bands shows what the keys floor and flatness of a "
-        "palette\n"
-        "do. Needs gnuplot (Debian package gnuplot-nox).\n\n"
+        "paper's palettes with layers that are solved exactly. study counts the moves of an automatic user to "
+        "given\n"
+        "pictures. bands shows what the keys floor and flatness of a palette do. Needs gnuplot (Debian package "
+        "gnuplot-nox).\n\n"
         "Example:\n  nacre figures -o figures\n";
     command.run = [options](Console& console) { return run_figures(*options, console); };
     return command;

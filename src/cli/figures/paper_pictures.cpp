@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "cli/figures/stack_pictures.h"
+#include "cli/figures/study_pictures.h"
 #include "nacre/base/text.h"
 #include "nacre/scene/planned_swatch.h"
 #include "nacre/swatch/swatch.h"
@@ -230,6 +231,7 @@ std::vector<PaperFigure> paper_figures(const ColourSpace& to_display, bool is_sr
             figure14(morpho, beetle, *light, to_display, is_srgb),
             stacks_figure(morpho, light),
             stacks_figure(beetle, light),
+            study_figure(),
             bands(),
             white()};
 }

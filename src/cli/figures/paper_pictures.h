@@ -26,7 +26,8 @@ struct PaperFigure {
     std::vector<std::string> files() const;
 };
 
-/// Figures 5, 7, 8, 9, 11, 12 and 14, the palettes beside exact stacks, `bands`, and `white`, which has data only.
+/// Figures 5, 7, 8, 9, 11, 12 and 14, the palettes beside exact stacks, the automatic user, `bands`, and `white`, which
+/// has data only.
 /// @param to_display  colours the curves of Figure 14
 std::vector<PaperFigure> paper_figures(const ColourSpace& to_display, bool is_srgb);
 

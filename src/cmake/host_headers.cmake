@@ -20,8 +20,6 @@ endforeach()
 target_compile_definitions(hwy::hwy INTERFACE HWY_COMPILE_ONLY_EMU128)
 # Else half.h wants a table that lies in Imath's library.
 target_compile_definitions(Imath::Imath INTERFACE IMATH_HALF_NO_LOOKUP_TABLE)
-# Else xxHash 0.8.3 wants Emscripten's imitation of NEON, which Debian 13 ships without one of its headers.
-add_compile_definitions(XXH_VECTOR=0)
 set(NACRE_CERES_INCLUDE_DIR "${headers}")
 
 # SIMD and exceptions of WebAssembly itself: browsers since 2022 have both.

@@ -39,7 +39,7 @@ function shippedTexels(name) {
 
 /** Drags a square of the plane or the palette to numbers of its axes. */
 async function dragSquare(square, plot, ranges, to) {
-  const from = await square.boundingBox();
+  const from = await square.locator("rect.touch").boundingBox();
   const field = await plot.boundingBox();
   const x = field.x + (field.width * (to.x - ranges.x[0])) / (ranges.x[1] - ranges.x[0]);
   const y = field.y + field.height * (1 - (to.y - ranges.y[0]) / (ranges.y[1] - ranges.y[0]));
@@ -101,7 +101,14 @@ describe("the page", () => {
   test("shows picked colours on its pixels", async () => {
     await write(page, '[material.a]\npicks = [ { angle_deg = 0, colour = "#22aa44" }, { angle_deg = 60, colour = "#8822cc" } ]\n');
     for (const [angle, colour] of [[0, [0x22, 0xaa, 0x44]], [60, [0x88, 0x22, 0xcc]]]) {
-      const seen = await page.evaluate((deg) => window.nacrePage.view.flatPixel(deg), angle);
+      const seen = await page.evaluate((deg) => {
+        const { view } = window.nacrePage;
+        view.set({ flat: deg });
+        view.drawNow();
+        const pixel = view.readPixel(view.canvas.clientWidth / 2, view.canvas.clientHeight / 2);
+        view.set({ flat: null });
+        return pixel;
+      }, angle);
       assert.ok(colour.every((component, i) => Math.abs(component - seen[i]) <= 1), `${seen} at ${angle} degrees`);
     }
   });
@@ -111,7 +118,7 @@ describe("the page", () => {
     await page.getByLabel("Colour of the pick, #rrggbb").fill("#00ff00");
     await page.keyboard.press("Enter");
     await settled(page);
-    assert.match(await textOf(page), /\{ angle_deg = 0, colour = "#00ff00" \}/);
+    assert.match(await textOf(page), /\{ angle_deg = 0, +colour = "#00ff00" \}/);
     await page.getByText(/#00ff00: .*(exact|dimmed)/).waitFor();
     await page.getByLabel("Colour of the pick, #rrggbb").fill("what");
     await page.keyboard.press("Enter");
@@ -176,7 +183,7 @@ describe("the page", () => {
         document.dispatchEvent(new DragEvent("drop", { dataTransfer: data, bubbles: true, cancelable: true }));
       }, files);
     const table = "wavelength_nm,0\n380,0.1\n500,0.9\n600,0.2\n780,0.1\n";
-    const scene = '[material.own]\nmechanism = "measured"\nspectra = "own.csv"\noutside = "hold"\n';
+    const scene = '[material.own]\nmechanism = "measured"\nfile = "own.csv"\noutside = "hold"\n';
     await drop([{ name: "own.csv", text: table }, { name: "own.toml", text: scene }]);
     await page.waitForFunction(() => window.nacrePage.material?.name === "own");
     await settled(page);

@@ -176,8 +176,9 @@ export class NacrePage {
     this.transmitted = isFirstThrough ? first : second;
     this.isCoarse = isCoarse;
     this.view.setLut((isFirstThrough ? second : first) ?? null, this.transmitted);
+    this.output.showAxis(first!.y);
     for (const panel of this.ofLut) panel.show();
-    this.view.draw();
+    this.view.drawNow();
     document.body.classList.toggle("busy", isCoarse);
   }
 
@@ -223,6 +224,7 @@ async function start(): Promise<void> {
   const linked = await fromAddress(location.hash);
   if (linked === undefined) page.open(first.name, first.text);
   else page.open("", linked);
+  document.body.classList.add("ready");
 }
 
 start().catch((failure: Error) => (byId("status").textContent = failure.message));

@@ -1,5 +1,6 @@
 // The controls of the output window: what is lit, from where, and how.
 
+import type { Axis } from "./api";
 import { byId, el, NumberControl } from "./dom";
 import type { OutputView } from "./output";
 
@@ -17,6 +18,8 @@ const suited: [RegExp, ObjectName][] = [
 
 export class OutputPanel {
   private light: [number, number] = [-40, 50];
+  private row: NumberControl | undefined;
+  private axis = "";
 
   constructor(private readonly view: OutputView) {
     const radios = objects.map((value) => {
@@ -27,10 +30,47 @@ export class OutputPanel {
     const environment = byId<HTMLInputElement>("environment");
     environment.addEventListener("change", () => this.set({ environment: environment.checked }));
     this.set({ environment: true, light: this.light });
-    this.number("Roughness", "", 0, 1, 0.2, (roughness) => this.set({ roughness }));
-    this.number("Exposure", "EV", -4, 4, 0, (exposure) => this.set({ exposure }));
-    this.number("Light around", "°", -180, 180, this.light[0], (angle) => this.turn([angle, this.light[1]]));
-    this.number("Light up", "°", -10, 90, this.light[1], (angle) => this.turn([this.light[0], angle]));
+    const number = (label: string, unit: string, from: number, to: number, change: (value: number) => void) => {
+      const control = new NumberControl({ label, unit, from, to, step: to > 10 ? 1 : 0.01 }, (value) => {
+        control.show(value);
+        change(value);
+      });
+      byId("output-numbers").append(control.element);
+      return control;
+    };
+    number("Roughness", "", 0, 1, (roughness) => this.set({ roughness })).show(0.2);
+    number("Exposure", "EV", -4, 4, (exposure) => this.set({ exposure })).show(0);
+    const around = number("Light around", "°", -180, 180, (angle) => this.turn([angle, this.light[1]]));
+    const up = number("Light up", "°", -10, 90, (angle) => this.turn([this.light[0], angle]));
+    view.onLightMoved = (light) => {
+      this.light = light;
+      around.show(Math.round(light[0]));
+      up.show(Math.round(light[1]));
+    };
+    view.onLightMoved(this.light);
+    byId("over-surface").addEventListener("click", () => this.overSurface());
+  }
+
+  /** A second axis runs over the surface until its slider is moved. */
+  showAxis(y: Axis | undefined): void {
+    const axis = y ? [y.name, y.from, y.to].join() : "";
+    if (axis === this.axis) return;
+    this.axis = axis;
+    byId("row").hidden = y === undefined;
+    this.row?.element.remove();
+    if (!y) return;
+    const spec = { label: y.name.replaceAll("_", " "), from: y.from, to: y.to, step: (y.to - y.from) / 200 };
+    this.row = new NumberControl(spec, (value) => {
+      this.row!.show(value);
+      this.set({ row: (value - y.from) / (y.to - y.from) });
+    });
+    byId("row").prepend(this.row.element);
+    this.overSurface();
+  }
+
+  private overSurface(): void {
+    this.row?.show(undefined, false);
+    this.set({ row: null });
   }
 
   chooseFor(scene: string): void {
@@ -51,17 +91,5 @@ export class OutputPanel {
   private set(changes: Parameters<OutputView["set"]>[0]): void {
     this.view.set(changes);
     this.view.draw();
-  }
-
-  private number(
-    ...[label, unit, from, to, first, change]: [string, string, number, number, number, (value: number) => void]
-  ): void {
-    const show = (value: number): void => {
-      control.show(value);
-      change(value);
-    };
-    const control = new NumberControl({ label, unit, from, to, step: to > 10 ? 1 : 0.01 }, show);
-    show(first);
-    byId("output-numbers").append(control.element);
   }
 }

@@ -42,7 +42,8 @@ export class PalettePanel {
     this.native.addEventListener("input", () => this.setColour(this.native.value));
     this.native.addEventListener("change", () => ++this.gesture);
     this.text.addEventListener("change", () => this.setColour(this.text.value.trim()));
-    byId("colour").append(this.native, this.text, ...this.dropper(), el("span", { class: "dim" }, "shows"), this.made, this.note);
+    const shows = el("span", { class: "dim" }, "shows");
+    byId("colour").append(this.native, this.text, ...this.dropper(), shows, this.made, this.note);
   }
 
   show(): void {

@@ -77,13 +77,13 @@ export class Plot {
 
   show(squares: Square[]): void {
     this.shown = squares;
-    while (this.squares.childNodes.length > squares.length) this.squares.lastChild!.remove();
-    while (this.squares.childNodes.length < squares.length) this.squares.append(this.newSquare());
-    squares.forEach((square, i) => this.place(this.squares.childNodes[i] as SVGGElement, square));
+    while (this.squares.children.length > squares.length) this.squares.lastChild!.remove();
+    while (this.squares.children.length < squares.length) this.squares.append(this.newSquare());
+    squares.forEach((square, i) => this.place(this.squares.children[i]!, square));
   }
 
   focusSquare(square: number): void {
-    (this.squares.childNodes[square] as SVGGElement | undefined)?.focus();
+    this.squares.children[square]?.querySelector("g")!.focus();
   }
 
   private layout(): void {
@@ -110,11 +110,12 @@ export class Plot {
     this.show(this.shown);
   }
 
-  private place(group: SVGGElement, square: Square): void {
+  private place(group: Element, square: Square): void {
     const x = clamp(this.px(square.x), margin.left, this.width - margin.right);
     const y = clamp(this.py(square.y), margin.top, this.height - margin.bottom);
     set(group, { transform: `translate(${x} ${y})`, class: square.isSelected ? "square selected" : "square" });
-    set(group, { "aria-label": square.name, "aria-valuetext": square.text, "aria-valuenow": square.x });
+    const said = { "aria-label": square.name, "aria-valuetext": square.text, "aria-valuenow": square.x };
+    set(group.querySelector("g")!, said);
     set(group.querySelector(".inside")!, { fill: square.colour });
     const isLeft = x > this.width - 150;
     const labelY = y < margin.top + 16 ? 16 : y > this.height - margin.bottom - 14 ? -12 : 5;
@@ -126,15 +127,17 @@ export class Plot {
   private newSquare(): SVGGElement {
     const box = (half: number, name: string): SVGRectElement =>
       svg("rect", { x: -half, y: -half, width: 2 * half, height: 2 * half, class: name });
-    const group = svg("g", { tabindex: 0, role: "slider", "aria-valuemin": this.x.from, "aria-valuemax": this.x.to });
-    group.append(box(18, "touch"), box(12, "ring"), box(8, "outside"), box(8, "inside"), svg("text"));
-    const index = (): number => [...this.squares.childNodes].indexOf(group);
-    return set(group, {
-      pointerdown: (event: PointerEvent) => this.grab(group, index(), event),
+    const handle = svg("g", { tabindex: 0, role: "slider", "aria-valuemin": this.x.from, "aria-valuemax": this.x.to });
+    handle.append(box(18, "touch"), box(12, "ring"), box(8, "outside"), box(8, "inside"));
+    const group = svg("g", {}, handle, svg("text"));
+    const index = (): number => [...this.squares.children].indexOf(group);
+    set(handle, {
+      pointerdown: (event: PointerEvent) => this.grab(handle, index(), event),
       focus: () => this.handlers.select?.(index()),
       keydown: (event: KeyboardEvent) => this.pressed(index(), event),
       dblclick: (event: MouseEvent) => event.stopPropagation(),
     });
+    return group;
   }
 
   private rounded(x: number, y: number): [number, number] {
@@ -157,11 +160,11 @@ export class Plot {
     this.handlers.add?.(...this.moved(this.x.from, this.y.from, right, down));
   }
 
-  private grab(group: SVGGElement, index: number, event: PointerEvent): void {
+  private grab(handle: SVGGElement, index: number, event: PointerEvent): void {
     if (event.button !== 0) return;
     event.preventDefault();
-    group.focus({ preventScroll: true });
-    group.setPointerCapture(event.pointerId);
+    handle.focus({ preventScroll: true });
+    handle.setPointerCapture(event.pointerId);
     const gesture = `drag ${++gestures}`;
     const from = this.shown[index]!;
     const end = new AbortController();
@@ -170,8 +173,8 @@ export class Plot {
       const now = this.shown[index];
       if (now && (x !== now.x || y !== now.y)) this.handlers.move(index, x, y, gesture);
     };
-    group.addEventListener("pointermove", move, end);
-    for (const name of ["pointerup", "pointercancel"]) group.addEventListener(name, () => end.abort(), end);
+    handle.addEventListener("pointermove", move, end);
+    for (const name of ["pointerup", "pointercancel"]) handle.addEventListener(name, () => end.abort(), end);
   }
 
   private pressed(index: number, event: KeyboardEvent): void {

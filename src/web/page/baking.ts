@@ -2,9 +2,9 @@
 
 import type { AsyncEngine, BakedLut } from "./api";
 
+/** The LUT that is shown, and the other of a pair if it is one. */
 export interface BakeRequest {
   text: string;
-  /** The LUT that is shown, and the other of a pair if it is one. */
   luts: string[];
   startMs: number;
 }
@@ -25,31 +25,24 @@ export class WorkerBakes {
     private readonly mayCancel: () => boolean,
   ) {}
 
-  request(wanted: BakeRequest): void {
-    this.forget();
+  /** Nothing: what was wanted before is wanted no more. */
+  request(wanted?: BakeRequest): void {
     this.wanted = wanted;
-    if (!this.isBusy) void this.run();
-  }
-
-  /** What was wanted before is wanted no more. */
-  forget(): void {
-    this.wanted = undefined;
     const old = this.exact;
     if (old) setTimeout(() => this.exact === old && this.mayCancel() && this.worker.cancel(), patienceMs);
+    if (!this.isBusy) void this.run();
   }
 
   private async run(): Promise<void> {
     this.isBusy = true;
-    while (this.wanted) {
-      const request = this.wanted;
+    for (let request = this.wanted; request; request = this.wanted) {
       try {
         const coarse = await this.bake(request, true);
         if (this.wanted) this.show(request, coarse, true);
-        if (this.wanted === request) {
-          this.exact = request;
-          const baked = await this.bake(request, false);
-          if (this.wanted === request) this.show(request, baked, false);
-        }
+        if (this.wanted !== request) continue;
+        this.exact = request;
+        const baked = await this.bake(request, false);
+        if (this.wanted === request) this.show(request, baked, false);
       } catch (failure) {
         if (this.wanted === request) this.fail((failure as Error).message);
       }

@@ -3,36 +3,33 @@
 import type { Engine, Material, OpenedScene } from "./api";
 import { withItem, without, withValues, type TomlValue } from "./toml_text";
 
-// Edits of one gesture that are further apart are steps of their own in undo.
+// Keys that are pressed further apart are steps of their own in undo.
 const gestureMs = 1000;
 
 export class SceneDocument {
   text = "";
-  /** Of the text as it is, perhaps with mistakes. */
+  /** Of the text as it is, perhaps with mistakes; and of the last text without. */
   opened: OpenedScene = { mistakes: [], warnings: [], values: {}, materials: [], luts: [] };
-  /** Of the last text without mistakes. */
-  scene: OpenedScene = this.opened;
+  scene = this.opened;
   /** How long nacre took to read the text. */
   openMs = 0;
   /** Called after every change. */
   onChange: () => void = () => {};
-
   private steps: string[] = [];
   private at = -1;
-  private gesture = "";
-  private editedMs = 0;
+  private last = { gesture: "", ms: 0 };
 
   constructor(private readonly engine: Engine) {}
 
   /** Another text. Edits with the same gesture are one step of undo. */
   replace(text: string, gesture = ""): void {
     if (text === this.text) return this.read();
-    const now = performance.now();
-    const isSameStep = gesture !== "" && gesture === this.gesture && now - this.editedMs < gestureMs;
+    const ms = performance.now();
+    const isHeld = !/^(keys|typing)/.test(gesture) || ms - this.last.ms < gestureMs;
+    const isSameStep = gesture !== "" && gesture === this.last.gesture && isHeld;
     this.steps.splice(isSameStep ? this.at : this.at + 1, Infinity, text);
     this.at = this.steps.length - 1;
-    this.gesture = gesture;
-    this.editedMs = now;
+    this.last = { gesture, ms };
     this.read(text);
   }
 
@@ -56,13 +53,19 @@ export class SceneDocument {
     this.replace(text, gesture);
   }
 
+  has(path: string): boolean {
+    return this.opened.values[path] !== undefined;
+  }
+
   /** A number, text or truth value; nothing for tables and arrays. */
   value(path: string): number | string | boolean | undefined {
     return this.opened.values[path]?.value;
   }
 
-  has(path: string): boolean {
-    return this.opened.values[path] !== undefined;
+  /** What the light of the scene is, to compare. */
+  get light(): string {
+    const values = Object.entries(this.scene.values).filter(([path]) => path.startsWith("light"));
+    return values.map(([path, { value }]) => `${path}=${value}`).join();
   }
 
   /** Whether there is a step back (-1) or forth (1). */
@@ -73,14 +76,8 @@ export class SceneDocument {
   step(direction: number): void {
     if (!this.canStep(direction)) return;
     this.at += direction;
-    this.gesture = "";
+    this.last.gesture = "";
     this.read(this.steps[this.at]!);
-  }
-
-  /** What the light of the scene is, to compare. */
-  get light(): string {
-    const values = Object.entries(this.scene.values).filter(([path]) => path.startsWith("light"));
-    return values.map(([path, { value }]) => `${path}=${value}`).join();
   }
 
   /** Reads the text, again if a file that it names has changed. */
@@ -99,8 +96,7 @@ export const materialPath = ({ name }: Material): string =>
   `material.${/^[\w-]+$/.test(name) ? name : JSON.stringify(name)}`;
 
 async function piped(bytes: Uint8Array, through: CompressionStream | DecompressionStream): Promise<Uint8Array> {
-  const stream = new Blob([bytes as BlobPart]).stream().pipeThrough(through);
-  return new Uint8Array(await new Response(stream).arrayBuffer());
+  return new Uint8Array(await new Response(new Blob([bytes as BlobPart]).stream().pipeThrough(through)).arrayBuffer());
 }
 
 /** The text as a part of an address: deflated, in base64url. */
@@ -110,14 +106,13 @@ export async function inAddress(text: string): Promise<string> {
   return base64.replaceAll("+", "-").replaceAll("/", "_").replace(/=+$/, "");
 }
 
-/** Nothing if it is no text of inAddress(). */
-export async function fromAddress(hash: string): Promise<string | undefined> {
+/** "" if it is no text of inAddress(). */
+export async function fromAddress(hash: string): Promise<string> {
   try {
     const binary = atob(hash.replace("#", "").replaceAll("-", "+").replaceAll("_", "/"));
     const bytes = Uint8Array.from(binary, (character) => character.charCodeAt(0));
-    const text = new TextDecoder().decode(await piped(bytes, new DecompressionStream("deflate-raw")));
-    return text === "" ? undefined : text;
+    return new TextDecoder().decode(await piped(bytes, new DecompressionStream("deflate-raw")));
   } catch {
-    return undefined;
+    return "";
   }
 }

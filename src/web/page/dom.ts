@@ -1,9 +1,10 @@
 // Elements by one call each, pixels as nacre draws its pictures, and a slider with its number.
 
 type Attributes = Record<string, string | number | boolean | undefined | ((event: never) => void)>;
+type Children = (Node | string)[];
 
 /** Sets attributes; functions listen to the event of that name, false and undefined remove. */
-export function set<Kind extends Element>(element: Kind, attributes: Attributes, ...children: (Node | string)[]): Kind {
+export function set<Kind extends Element>(element: Kind, attributes: Attributes, ...children: Children): Kind {
   for (const [name, value] of Object.entries(attributes)) {
     if (typeof value === "function") element.addEventListener(name, value as EventListener);
     else if (value === undefined || value === false) element.removeAttribute(name);
@@ -13,33 +14,21 @@ export function set<Kind extends Element>(element: Kind, attributes: Attributes,
   return element;
 }
 
-export const el = <Tag extends keyof HTMLElementTagNameMap>(
-  tag: Tag,
-  attributes: Attributes = {},
-  ...children: (Node | string)[]
-): HTMLElementTagNameMap[Tag] => set(document.createElement(tag), attributes, ...children);
-
-export const svg = <Tag extends keyof SVGElementTagNameMap>(
-  tag: Tag,
-  attributes: Attributes = {},
-  ...children: (Node | string)[]
-): SVGElementTagNameMap[Tag] =>
+type Html = keyof HTMLElementTagNameMap;
+type Svg = keyof SVGElementTagNameMap;
+export const el = <Tag extends Html>(tag: Tag, attributes: Attributes = {}, ...children: Children) =>
+  set(document.createElement(tag), attributes, ...children);
+export const svg = <Tag extends Svg>(tag: Tag, attributes: Attributes = {}, ...children: Children) =>
   set(document.createElementNS("http://www.w3.org/2000/svg", tag), attributes, ...children);
-
 /** The element with this id, which index.html has. */
 export const byId = <Kind extends HTMLElement = HTMLElement>(id: string): Kind => document.getElementById(id) as Kind;
 
 export const clamp = (value: number, low: number, high: number): number => Math.min(Math.max(value, low), high);
 export const mix = (a: number, b: number, share: number): number => a + (b - a) * share;
-
 /** A number with so many digits that count, without zeros at its end. */
 export const short = (value: number, digits = 3): string => String(Number(value.toPrecision(digits)));
-
-export const readableBytes = (bytes: number): string =>
-  bytes < 1e6 ? `${short(bytes / 1e3)} kB` : `${short(bytes / 1e6)} MB`;
-
-export const readableSeconds = (seconds: number): string =>
-  seconds < 1 ? `${short(seconds * 1e3, 2)} ms` : `${short(seconds, 2)} s`;
+export const readableBytes = (n: number): string => (n < 1e6 ? `${short(n / 1e3)} kB` : `${short(n / 1e6)} MB`);
+export const readableSeconds = (n: number): string => (n < 1 ? `${short(n * 1e3, 2)} ms` : `${short(n, 2)} s`);
 
 // IEC 61966-2-1: from linear light to a byte of sRGB.
 function srgbByte(linear: number): number {
@@ -59,13 +48,10 @@ function fitted(value: number, most: number): number {
   return beyond > 0 && most > 0 ? most * (0.1 - (0.1 * beyond) / (1 + beyond ** 1.2) ** (1 / 1.2)) : value;
 }
 
+type Write = (x: number, y: number, rgb: number[]) => void;
+
 /** Paints a canvas. `write` puts linear Rec.709 of a column and a row, the first row on top, into its last argument. */
-export function paint(
-  canvas: HTMLCanvasElement,
-  width: number,
-  height: number,
-  write: (x: number, y: number, rgb: number[]) => void,
-): void {
+export function paint(canvas: HTMLCanvasElement, width: number, height: number, write: Write): void {
   Object.assign(canvas, { width, height });
   const context = canvas.getContext("2d")!;
   const image = context.createImageData(width, height);
@@ -95,12 +81,11 @@ export interface NumberSpec {
 const sliderSteps = 1000;
 let gestures = 0;
 
-/** A slider and a field for the same number. `change` is called with the new one; edits with the same gesture are one
- *  step of undo. */
+/** A slider and a field for the same number; edits with the same gesture are one step of undo. */
 export class NumberControl {
   readonly element: HTMLElement;
   private readonly slider: HTMLInputElement;
-  private readonly field: HTMLInputElement;
+  private readonly field = el("input", { type: "number", step: "any" });
   private gesture = ++gestures;
   private isTyping = false;
 
@@ -108,15 +93,14 @@ export class NumberControl {
     private readonly spec: NumberSpec,
     private readonly change: (value: number, gesture: string) => void,
   ) {
-    const { label, unit, from, to, step, isLogarithmic } = spec;
+    const { label, unit = "", from, to, step, isLogarithmic } = spec;
     const range = isLogarithmic ? { min: 0, max: sliderSteps, step: 1 } : { min: from, max: to, step };
     const rest = (): number => (this.gesture = ++gestures);
     this.slider = el("input", { type: "range", ...range, "aria-label": label, input: () => this.slid(), change: rest });
-    this.field = el("input", { type: "number", min: from, step: "any", "aria-label": `${label} ${unit ?? ""}` });
-    set(this.field, { input: () => (this.isTyping = true), change: () => this.typed() });
-    const name = el("span", { class: "name" }, label);
-    this.element = el("div", { class: "number" }, name, this.slider, this.field);
-    this.element.append(el("span", { class: "unit" }, unit ?? ""));
+    const input = (): boolean => (this.isTyping = true);
+    set(this.field, { "aria-label": `${label} ${unit}`, input, change: () => this.typed() });
+    const [name, end] = [el("span", { class: "name" }, label), el("span", { class: "unit" }, unit)];
+    this.element = el("div", { class: "number" }, name, this.slider, this.field, end);
   }
 
   /** @param isGiven  false: the number is a default that the scene does not say */
@@ -124,10 +108,9 @@ export class NumberControl {
     this.element.classList.toggle("default", !isGiven);
     if (value === undefined || Number.isNaN(value)) return;
     const { from, to, unit, isLogarithmic } = this.spec;
-    this.slider.value = String(isLogarithmic ? (sliderSteps * Math.log(value / from)) / Math.log(to / from) : value);
-    const low = Number(this.slider.min);
-    const filled = (Number(this.slider.value) - low) / (Number(this.slider.max) - low);
-    this.slider.style.setProperty("--filled", `${100 * filled}%`);
+    const share = isLogarithmic ? Math.log(value / from) / Math.log(to / from) : (value - from) / (to - from);
+    this.slider.value = String(isLogarithmic ? sliderSteps * share : value);
+    this.slider.style.setProperty("--filled", `${100 * clamp(share, 0, 1)}%`);
     this.slider.setAttribute("aria-valuetext", `${short(value, 4)} ${unit ?? ""}`);
     if (!this.isTyping) this.field.value = short(value, 4);
   }

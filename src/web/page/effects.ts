@@ -8,10 +8,11 @@ export class EffectsPanel {
   constructor(private readonly page: NacrePage) {}
 
   show(): void {
-    const effects = [...(this.page.baked?.effects ?? [])].sort((a, b) => b.contribution - a.contribution);
+    const { doc, baked } = this.page;
+    const effects = [...(baked?.effects ?? [])].sort((a, b) => b.contribution - a.contribution);
     const without: string[] = [];
-    for (let i = 0; this.page.doc.has(`accuracy.without[${i}]`); ++i) {
-      without.push(String(this.page.doc.value(`accuracy.without[${i}]`)));
+    while (doc.has(`accuracy.without[${without.length}]`)) {
+      without.push(String(doc.value(`accuracy.without[${without.length}]`)));
     }
     const most = Math.max(1, ...effects.map((effect) => effect.contribution));
     byId("effects-section").hidden = effects.length === 0;
@@ -20,14 +21,15 @@ export class EffectsPanel {
 
   private row({ name, isSimulated, contribution, share }: EffectChoice, without: string[], most: number): Node {
     const isLeft = without.includes(name);
-    const others = without.filter((other) => other !== name);
-    const flip = (): void => this.page.doc.set({ "accuracy.without": isLeft ? others : [...without, name] });
+    const other = isLeft ? without.filter((one) => one !== name) : [...without, name];
+    const change = (): void => this.page.doc.set({ "accuracy.without": other });
     const why = isLeft ? "left out" : isSimulated ? "simulated" : "too small to matter";
+    const size = `width:${(100 * Math.log1p(contribution)) / Math.log1p(most)}%`;
+    const title = `Needed above ΔE00 ${short(share)}`;
     return el(
-      "label",
-      { class: isSimulated ? "effect" : "effect idle", title: `Needed above ΔE00 ${short(share)}` },
-      el("span", { class: "bar", style: `width:${(100 * Math.log1p(contribution)) / Math.log1p(most)}%` }),
-      el("input", { type: "checkbox", role: "switch", checked: !isLeft, change: flip }),
+      ...(["label", { class: isSimulated ? "effect" : "effect idle", title }] as const),
+      el("span", { class: "bar", style: size }),
+      el("input", { type: "checkbox", role: "switch", checked: !isLeft, change }),
       el("span", { class: "name" }, name.replaceAll("_", " ")),
       el("span", { class: "note" }, why),
       el("span", { class: "value" }, `ΔE00 ${short(contribution, 2)}`),
@@ -37,7 +39,6 @@ export class EffectsPanel {
 
 export class SearchPanel {
   isSearching = false;
-  private readonly result = byId("search-result");
 
   constructor(private readonly page: NacrePage) {
     byId("search-start").addEventListener("click", () => {
@@ -60,22 +61,21 @@ export class SearchPanel {
     try {
       const opening = worker.open(doc.text);
       const [found] = await Promise.all([worker.findStructure(material!.name, mechanism, step), opening]);
-      const take = (): void => {
-        this.result.replaceChildren();
-        doc.replace(found.text);
-      };
-      const taker = el("button", { class: "primary", click: take }, `Use this ${mechanism}`);
-      this.result.replaceChildren(el("p", {}, found.summary), taker);
+      this.mark(false, el("p", {}, found.summary), el("button", { class: "primary" }, `Use this ${mechanism}`));
+      const taker = byId("search-result").querySelector("button")!;
       taker.scrollIntoView({ block: "nearest" });
+      taker.addEventListener("click", () => {
+        this.mark(false);
+        doc.replace(found.text);
+      });
     } catch (failure) {
-      this.result.replaceChildren(el("p", { class: "note" }, (failure as Error).message));
+      this.mark(false, el("p", { class: "note" }, (failure as Error).message));
     }
-    this.mark(false);
   }
 
-  private mark(isSearching: boolean): void {
+  private mark(isSearching: boolean, ...result: Node[]): void {
     this.isSearching = isSearching;
-    if (isSearching) this.result.replaceChildren();
+    byId("search-result").replaceChildren(...result);
     byId("search-start").textContent = isSearching ? "Cancel" : "Search";
     byId("search-progress").hidden = !isSearching;
     byId("search-time").textContent = "";

@@ -6,9 +6,9 @@ import type { NacrePage } from "./main";
 import { paintStrip } from "./strip";
 
 function download(name: string, part: BlobPart, type: string): void {
-  const address = URL.createObjectURL(new Blob([part], { type }));
-  el("a", { href: address, download: name }).click();
-  setTimeout(() => URL.revokeObjectURL(address), 1000);
+  const href = URL.createObjectURL(new Blob([part], { type }));
+  el("a", { href, download: name }).click();
+  setTimeout(() => URL.revokeObjectURL(href), 1000);
 }
 
 export class FilesPanel {
@@ -24,7 +24,7 @@ export class FilesPanel {
     document.addEventListener("dragover", (event) => event.preventDefault());
     document.addEventListener("drop", (event) => {
       event.preventDefault();
-      void this.take([...(event.dataTransfer?.files ?? [])]);
+      void this.take([...event.dataTransfer!.files]);
     });
   }
 
@@ -38,7 +38,7 @@ export class FilesPanel {
     for (const file of files.filter(({ name }) => !name.endsWith(".toml"))) {
       const bytes = new Uint8Array(await file.arrayBuffer());
       this.page.here.putFile(file.name, bytes);
-      void this.page.worker.putFile(file.name, bytes);
+      this.page.worker.putFile(file.name, bytes).catch(() => undefined);
       this.page.say(`${file.name} lies beside the scene now; name it in the text: "${file.name}"`);
     }
     const scene = files.find(({ name }) => name.endsWith(".toml"));
@@ -47,18 +47,16 @@ export class FilesPanel {
   }
 
   private gallery(): void {
-    const popover = byId("gallery");
-    const scenes = this.page.here.shippedScenes();
-    const canvases = scenes.map(() => el("canvas", { width: 160, height: 1, "aria-hidden": "true" }));
-    const buttons = scenes.map(({ name, title, text }, i) => {
+    const canvases = this.page.here.shippedScenes().map(({ name, title, text }) => {
+      const canvas = el("canvas", { width: 160, height: 1, "aria-hidden": "true" });
       const choose = (): void => {
-        popover.hidePopover();
+        byId("gallery").hidePopover();
         this.page.open(name, text);
       };
-      return el("button", { class: "scene", click: choose, title }, canvases[i]!, name.replaceAll("_", " "));
+      byId("gallery").append(el("button", { class: "scene", click: choose, title }, canvas, name.replaceAll("_", " ")));
+      return canvas;
     });
-    popover.replaceChildren(...buttons);
-    popover.addEventListener("toggle", () => void this.paintThumbnails(canvases));
+    byId("gallery").addEventListener("toggle", () => void this.paintThumbnails(canvases));
   }
 
   // In the worker's spare time; what it did not come to is painted when the gallery is opened again.
@@ -80,30 +78,26 @@ export class FilesPanel {
 
   private exports(): void {
     const { page } = this;
-    const name = (): string => page.lut?.name ?? "lut";
-    const exr = async (): Promise<void> =>
-      download(`${name()}.exr`, (await page.asked((engine, lut) => engine.exr(lut))) as BlobPart, "image/x-exr");
-    const manifest = async (): Promise<void> =>
-      download(`${name()}.json`, await page.asked((engine, lut) => engine.manifest(lut)), "application/json");
-    const png = (): void =>
-      byId<HTMLCanvasElement>("strip-canvas").toBlob((blob) => download(`${name()}.png`, blob!, "image/png"));
-    const link = async (): Promise<void> =>
-      this.copy(`${location.href.replace(/#.*/, "")}#${await inAddress(page.doc.text)}`, "link");
-    const actions: [string, () => Promise<void> | void][] = [
-      ["Texture (EXR)", exr],
-      ["Manifest (JSON)", manifest],
-      ["Strip (PNG)", png],
-      ["Scene (TOML)", () => this.save()],
-      ["Copy snippet (GLSL)", () => this.copy(page.here.snippet("glsl"), "nacre.glsl")],
-      ["Copy snippet (HLSL)", () => this.copy(page.here.snippet("hlsl"), "nacre.hlsl")],
-      ["Copy link", link],
-    ];
-    const run = async (action: () => Promise<void> | void): Promise<void> => {
-      byId("exports").hidePopover();
-      await Promise.resolve(action()).catch((failure: Error) => page.say(failure.message));
+    const give = (part: string | Uint8Array | Blob, end: string, type: string): void =>
+      download(`${page.lut?.name}.${end}`, part as BlobPart, type);
+    const strip = byId<HTMLCanvasElement>("strip-canvas");
+    const address = location.href.replace(/#.*/, "");
+    const actions: Record<string, () => Promise<void> | void> = {
+      "Texture (EXR)": async () => give(await page.asked((nacre, lut) => nacre.exr(lut)), "exr", "image/x-exr"),
+      "Manifest (JSON)": async () => give(await page.asked((nacre, lut) => nacre.manifest(lut)), "json", "text/json"),
+      "Strip (PNG)": () => strip.toBlob((blob) => give(blob!, "png", "image/png")),
+      "Scene (TOML)": () => this.save(),
+      "Copy snippet (GLSL)": () => this.copy(page.here.snippet("glsl"), "nacre.glsl"),
+      "Copy snippet (HLSL)": () => this.copy(page.here.snippet("hlsl"), "nacre.hlsl"),
+      "Copy link": async () => this.copy(`${address}#${await inAddress(page.doc.text)}`, "link"),
     };
-    const buttons = actions.map(([words, action]) => el("button", { click: () => void run(action) }, words));
-    byId("exports").replaceChildren(...buttons);
+    for (const [name, action] of Object.entries(actions)) {
+      const run = async (): Promise<void> => {
+        byId("exports").hidePopover();
+        await Promise.resolve(action()).catch((failure: Error) => page.say(failure.message));
+      };
+      byId("exports").append(el("button", { click: () => void run() }, name));
+    }
   }
 
   private async copy(text: string, what: string): Promise<void> {

@@ -43,15 +43,13 @@ export class NacrePage {
   private readonly output: OutputPanel;
   private readonly bakes: WorkerBakes;
   private isBakedHere = false;
+  private isSpare = false;
   private frame = 0;
   private showMs = 0;
   private addressTimer = 0;
   private turn: Promise<unknown> = Promise.resolve();
 
-  constructor(
-    readonly here: Engine,
-    readonly worker: AsyncEngine,
-  ) {
+  constructor(readonly here: Engine, readonly worker: AsyncEngine) {
     this.doc = new SceneDocument(here);
     this.doc.onChange = () => this.changed();
     this.view = new OutputView(byId<HTMLCanvasElement>("output-canvas"), here.snippet("glsl"));
@@ -96,12 +94,12 @@ export class NacrePage {
 
   /** Runs when the worker has nothing more urgent to do, one after the other. Nothing if it was cancelled or failed. */
   inSpareTime<Result>(work: (worker: AsyncEngine, lut: string) => Promise<Result>): Promise<Result | undefined> {
-    const run = async (): Promise<Result | undefined> => {
-      const isBusy = (): boolean => this.bakes.isBusy || this.search.isSearching;
+    const isBusy = (): boolean => this.bakes.isBusy || this.search.isSearching;
+    const result = this.turn.then(async () => {
       while (isBusy()) await new Promise((resolve) => setTimeout(resolve, spareMs));
-      return this.askWorker(work).catch(() => undefined);
-    };
-    const result = this.turn.then(run);
+      this.isSpare = true;
+      return this.askWorker(work).catch(() => undefined).finally(() => (this.isSpare = false));
+    });
     this.turn = result;
     return result;
   }
@@ -133,7 +131,8 @@ export class NacrePage {
     cancelAnimationFrame(this.frame);
     if (opened.mistakes.length === 0) this.frame = requestAnimationFrame(() => this.update());
     clearTimeout(this.addressTimer);
-    this.addressTimer = window.setTimeout(() => void this.keepInAddress(), addressMs);
+    const keep = async (): Promise<void> => history.replaceState(null, "", `#${await inAddress(this.doc.text)}`);
+    this.addressTimer = window.setTimeout(() => void keep(), addressMs);
   }
 
   private update(): void {
@@ -145,24 +144,16 @@ export class NacrePage {
     const isKnown = !this.isCoarse && this.baked?.name === name;
     const seconds = isKnown ? Object.values(this.baked!.seconds).reduce((sum, part) => sum + part, 0) : 0;
     this.isBakedHere = ["palette", "film"].includes(this.material.mechanism) && !y && seconds < frameSeconds;
-    if (!this.isBakedHere) {
-      document.body.classList.add("busy");
-      this.bakes.request({ text: this.doc.text, luts, startMs });
-      return;
-    }
-    this.bakes.forget();
+    const request = { text: this.doc.text, luts, startMs };
+    if (!this.isBakedHere) document.body.classList.add("busy");
+    if (!this.isBakedHere && this.isSpare) this.worker.cancel();
+    this.bakes.request(this.isBakedHere ? undefined : request);
+    if (!this.isBakedHere) return;
     try {
-      this.shown(luts.map((lut) => this.here.bake(lut)), false);
-      this.lastUpdateMs = performance.now() - startMs;
+      this.answered(request, luts.map((lut) => this.here.bake(lut)), false);
     } catch (failure) {
       this.failed((failure as Error).message);
     }
-  }
-
-  private answered({ luts, startMs }: BakeRequest, baked: BakedLut[], isCoarse: boolean): void {
-    if (this.lut?.name !== luts[0]) return;
-    this.shown(baked, isCoarse);
-    if (!isCoarse) this.lastUpdateMs = performance.now() - startMs;
   }
 
   private failed(message: string): void {
@@ -170,7 +161,8 @@ export class NacrePage {
     this.say(message);
   }
 
-  private shown([first, second]: BakedLut[], isCoarse: boolean): void {
+  private answered({ luts, startMs }: BakeRequest, [first, second]: BakedLut[], isCoarse: boolean): void {
+    if (this.lut?.name !== luts[0]) return;
     const isFirstThrough = first!.quantity === "transmittance" && second !== undefined;
     this.baked = first;
     this.transmitted = isFirstThrough ? first : second;
@@ -180,11 +172,7 @@ export class NacrePage {
     for (const panel of this.ofLut) panel.show();
     this.view.drawNow();
     document.body.classList.toggle("busy", isCoarse);
-  }
-
-  private async keepInAddress(): Promise<void> {
-    const hash = `#${await inAddress(this.doc.text)}`;
-    if (hash !== location.hash) history.replaceState(null, "", hash);
+    if (!isCoarse) this.lastUpdateMs = performance.now() - startMs;
   }
 
   private buttons(): void {
@@ -198,7 +186,7 @@ export class NacrePage {
     byId("theme").addEventListener("click", () => (dataset.theme = dataset.theme === "dark" ? "light" : "dark"));
     addEventListener("hashchange", async () => {
       const text = await fromAddress(location.hash);
-      if (text !== undefined && text !== this.doc.text) this.open("", text);
+      if (text !== "" && text !== this.doc.text) this.open("", text);
     });
     addEventListener("keydown", (event) => {
       const key = event.key.toLowerCase();
@@ -219,11 +207,9 @@ async function start(): Promise<void> {
   const { here, worker } = await startEngine();
   const page = new NacrePage(here, worker);
   Object.assign(window, { nacrePage: page });
-  const scenes = here.shippedScenes();
-  const first = scenes.find((scene) => scene.name === "morpho") ?? scenes[0]!;
+  const first = here.shippedScenes().find(({ name }) => name === "morpho")!;
   const linked = await fromAddress(location.hash);
-  if (linked === undefined) page.open(first.name, first.text);
-  else page.open("", linked);
+  page.open(linked === "" ? first.name : "", linked || first.text);
   document.body.classList.add("ready");
 }
 

@@ -1,6 +1,6 @@
 // The plane of peak wavelength and angle, with one square for each pick, as in the paper's Figure 10.
 
-import type { Engine, Material, Pick } from "./api";
+import type { Engine, Material } from "./api";
 import { materialPath } from "./document";
 import { byId, clamp, el, hex, mix, NumberControl, paint, short, svg } from "./dom";
 import type { NacrePage } from "./main";
@@ -21,37 +21,33 @@ function bandOf({ peakNm, widthNm, height, floor, flatness }: Band): Record<stri
 
 /** Changes the band of a pick. One that is given as a colour becomes the band that nacre made of it. */
 export function changeBand(page: NacrePage, index: number, changes: Record<string, number>, gesture: string): void {
-  const pick = page.material?.picks?.[index];
-  if (!pick) return;
   const path = `${materialPath(page.material!)}.picks[${index}]`;
   const colour = ["colour", "color"].find((key) => page.doc.has(`${path}.${key}`));
   if (colour === undefined || Object.keys(changes).join() === "angle_deg") page.doc.set(changes, gesture, path);
-  else page.doc.exchange(path, { ...bandOf(pick), ...changes }, [colour, "space"], gesture);
+  else page.doc.exchange(path, { ...bandOf(page.material!.picks![index]!), ...changes }, [colour, "space"], gesture);
 }
 
 /** Colours of bands of height 1 by peak and width. A colour is linear in the height, so one table serves all of a
  *  plane; it depends on the light of the scene and on the flatness. */
 class BandTable {
-  readonly columns: Float32Array[] = [];
+  columns: Float32Array[] = [];
   private key = "";
 
   update(engine: Engine, light: string, flatness: number): void {
     const key = `${light} ${flatness}`;
     if (key === this.key) return;
     this.key = key;
-    this.columns.length = 0;
-    const band: Pick = { angleDeg: 0, peakNm: 0, height: 1, floor: 0, flatness, widthNm: 0, rgb: [0, 0, 0] };
     const count = widths.to / widths.step + 1;
-    for (let peakNm = peaks.from; peakNm <= peaks.to; peakNm += peaks.step) {
-      this.columns.push(engine.paletteField({ ...band, peakNm }, widths.to, count, 2).slice(count * 3));
-    }
+    this.columns = Array.from({ length: (peaks.to - peaks.from) / peaks.step + 1 }, (_, i) => {
+      const band = { peakNm: peaks.from + i * peaks.step, widthNm: 0, height: 1, floor: 0, flatness };
+      return engine.paletteField({ ...band, angleDeg: 0, rgb: [0, 0, 0] }, widths.to, count, 2).slice(count * 3);
+    });
   }
 
   at(column: number, widthNm: number, component: number): number {
     const place = clamp(widthNm, 0, widths.to - 1) / widths.step;
     const at = 3 * Math.floor(place) + component;
-    const field = this.columns[column]!;
-    return mix(field[at]!, field[at + 3]!, place % 1);
+    return mix(this.columns[column]![at]!, this.columns[column]![at + 3]!, place % 1);
   }
 }
 
@@ -64,18 +60,15 @@ export class PlanePanel {
 
   constructor(private readonly page: NacrePage) {
     const ticks = [400, 450, 500, 550, 600, 650, 700, 750, 800];
-    this.plot = new Plot(
-      ...(["plane", "Picks: peak wavelength and angle"] as const),
-      { label: "peak wavelength (nm)", from: peaks.from, to: peaks.to, ticks, step: 1, leap: 10 },
-      { label: "angle (°)", from: 0, to: 90, ticks: [0, 15, 30, 45, 60, 75, 90], step: 1, leap: 10 },
-      {
-        move: (pick, peakNm, angleDeg, gesture) => this.move(pick, peakNm, angleDeg, gesture),
-        select: (pick) => page.selectPick(pick),
-        add: (peakNm, angleDeg) => this.add(peakNm, angleDeg),
-        remove: (pick) => this.remove(pick),
-      },
-      () => this.drawCurve(),
-    );
+    const x = { label: "peak wavelength (nm)", ...peaks, ticks, step: 1, leap: 10 };
+    const y = { label: "angle (°)", from: 0, to: 90, ticks: [0, 15, 30, 45, 60, 75, 90], step: 1, leap: 10 };
+    this.plot = new Plot("plane", "Picks: peak wavelength and angle", x, y, {
+      move: (pick, peakNm, angleDeg, gesture) => this.move(pick, peakNm, angleDeg, gesture),
+      select: (pick) => page.selectPick(pick),
+      add: (peakNm, angleDeg) => this.add(peakNm, angleDeg),
+      remove: (pick) => this.remove(pick),
+      layout: () => this.drawCurve(),
+    });
     this.plot.curves.append(...this.lines);
     this.shape = new NumberControl({ label: "Shape", from: 0, to: 1, step: 0.01 }, (shape, gesture) =>
       page.doc.set({ shape }, gesture, materialPath(page.material!)),
@@ -86,23 +79,23 @@ export class PlanePanel {
 
   show(): void {
     const { material, pick: selected, doc } = this.page;
-    const picks = material?.curve ? material.picks! : [];
-    this.plot.show(
-      picks.map((pick, i) => ({
-        x: pick.peakNm,
-        y: pick.angleDeg,
-        colour: hex(pick.rgb),
-        name: `Pick ${i + 1} of ${picks.length}`,
-        text: `${short(pick.peakNm)} nm at ${short(pick.angleDeg)}°`,
-        isSelected: i === selected,
-      })),
-    );
     if (!material?.curve) return;
+    const picks = material.picks!;
+    const squares = picks.map(({ peakNm, angleDeg, rgb }, i) => {
+      const text = `${short(peakNm)} nm at ${short(angleDeg)}°`;
+      const said = { name: `Pick ${i + 1} of ${picks.length}`, text };
+      return { x: peakNm, y: angleDeg, colour: hex(rgb), ...said, isSelected: i === selected };
+    });
+    this.plot.show(squares);
     this.shape.show(Number(material.shape?.toFixed(3)), doc.has(`${materialPath(material)}.shape`));
     this.remover.disabled = picks.length < 2;
     this.drawCurve();
     this.table.update(this.page.here, doc.light, picks[selected]?.flatness ?? 0);
-    this.drawField(material.curve);
+    // The colour of a band at every peak and angle, with the width, height and floor that the curve has at the angle.
+    paint(this.plot.field, this.table.columns.length, rows, (column, row, rgb) => {
+      const { height, floor, widthNm } = material.curve![90 - 2 * row]!;
+      for (let i = 0; i < 3; ++i) rgb[i] = (height - floor) * this.table.at(column, widthNm, i) + floor;
+    });
   }
 
   private move(index: number, peakNm: number, angleDeg: number, gesture: string): void {
@@ -115,16 +108,13 @@ export class PlanePanel {
 
   // The new pick has the width and the height that the curve has at its angle.
   private add(peakNm: number, angleDeg: number): void {
-    const { material, doc } = this.page;
-    if (!material?.curve) return;
-    const picks = material.picks!;
-    while (picks.some((pick) => Math.abs(pick.angleDeg - angleDeg) < 1)) angleDeg = (angleDeg + 15) % 91;
-    const curve = material.curve[Math.round(angleDeg)]!;
-    const height = Math.max(curve.height, 0.1);
-    const band = bandOf({ ...curve, height, widthNm: Math.max(curve.widthNm, 20), peakNm });
+    const { picks, curve } = this.page.material!;
+    while (picks!.some((pick) => Math.abs(pick.angleDeg - angleDeg) < 1)) angleDeg = (angleDeg + 15) % 91;
+    const { height, widthNm, ...rest } = curve![Math.round(angleDeg)]!;
+    const band = bandOf({ ...rest, height: Math.max(height, 0.1), widthNm: Math.max(widthNm, 20), peakNm });
     const keys = Object.entries({ angle_deg: angleDeg, ...band }).map(([key, value]) => `${key} = ${value}`);
-    doc.addItem(`${materialPath(material)}.picks`, `{ ${keys.join(", ")} }`);
-    this.plot.focusSquare(picks.length);
+    this.page.doc.addItem(`${materialPath(this.page.material!)}.picks`, `{ ${keys.join(", ")} }`);
+    this.plot.focusSquare(picks!.length);
   }
 
   // In the middle of the largest gap between the angles of the picks.
@@ -138,34 +128,23 @@ export class PlanePanel {
 
   private remove(index: number): void {
     const { material, doc } = this.page;
-    if (!material?.picks || material.picks.length < 2) return;
-    doc.remove(`${materialPath(material)}.picks[${index}]`);
+    if (material!.picks!.length < 2) return;
+    doc.remove(`${materialPath(material!)}.picks[${index}]`);
     this.page.selectPick(Math.max(0, index - 1));
     this.plot.focusSquare(this.page.pick);
   }
 
   private drawCurve(): void {
-    const curve = this.page.material?.curve;
-    if (!curve) return;
+    const curve = this.page.material?.curve ?? [];
     const point = (nm: number, angle: number): string =>
       `${this.plot.px(clamp(nm, peaks.from, peaks.to)).toFixed(1)} ${this.plot.py(angle).toFixed(1)}`;
     const side = (sign: number): string[] =>
       curve.map((band, angle) => point(band.peakNm + (sign * band.widthNm) / 2, angle));
     const middle = curve.flatMap((band, angle) => (band.peakNm < peaks.from ? [] : [point(band.peakNm, angle)]));
     const dark = curve.findIndex((band) => band.height <= 0 && band.floor <= 0);
-    const paths = [
-      `M${side(-1).join("L")}L${side(1).reverse().join("L")}Z`,
-      ...[1, 2].map(() => (middle.length > 0 ? `M${middle.join("L")}` : "")),
-      dark < 0 ? "" : `M${point(peaks.from, dark)}L${point(peaks.to, dark)}`,
-    ];
-    this.lines.forEach((line, i) => line.setAttribute("d", paths[i]!));
-  }
-
-  // The colour of a band at every peak and angle, with the width, height and floor that the curve has at the angle.
-  private drawField(curve: Band[]): void {
-    paint(this.plot.field, this.table.columns.length, rows, (column, row, rgb) => {
-      const { height, floor, widthNm } = curve[90 - 2 * row]!;
-      for (let i = 0; i < 3; ++i) rgb[i] = (height - floor) * this.table.at(column, widthNm, i) + floor;
-    });
+    const end = dark < 0 ? [] : [point(peaks.from, dark), point(peaks.to, dark)];
+    [[...side(-1), ...side(1).reverse()], middle, middle, end].forEach((points, i) =>
+      this.lines[i]!.setAttribute("d", points.length === 0 ? "" : `M${points.join("L")}`),
+    );
   }
 }

@@ -2,22 +2,22 @@
 
 import { byId, clamp, el, set, svg } from "./dom";
 
+/** Squares move in steps, and by the arrow keys with Shift in leaps. */
 export interface PlotAxis {
   label: string;
   from: number;
   to: number;
   ticks: number[];
-  /** Squares move in these steps, and with Shift in leaps. */
   step: number;
   leap: number;
 }
 
+/** `text` stands beside it, and screen readers say it. */
 export interface Square {
   x: number;
   y: number;
   colour: string;
   name: string;
-  /** What stands beside it; screen readers say it too. */
   text: string;
   isSelected: boolean;
 }
@@ -27,12 +27,12 @@ export interface PlotHandlers {
   select?(square: number): void;
   add?(x: number, y: number): void;
   remove?(square: number): void;
+  /** The size has changed. */
+  layout?(): void;
 }
 
 const margin = { left: 44, right: 14, top: 12, bottom: 38 };
-const arrows: Record<string, [number, number]> = {
-  ...{ ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowDown: [0, -1], ArrowUp: [0, 1] },
-};
+const ways = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowDown: [0, -1], ArrowUp: [0, 1] };
 let gestures = 0;
 
 export class Plot {
@@ -40,27 +40,24 @@ export class Plot {
   readonly field = el("canvas", { class: "field", "aria-hidden": "true" });
   /** For curves, below the squares. */
   readonly curves = svg("g");
-
   private readonly frame = svg("g", { class: "frame" });
   private readonly squares = svg("g");
-  private readonly picture = svg("svg", { role: "group" });
+  private readonly picture: SVGSVGElement;
   private shown: Square[] = [];
   private width = 0;
   private height = 0;
 
-  /** @param home  the id of the element that it fills
-   *  @param drawCurves  called when the size has changed */
+  /** @param home  the id of the element that it fills */
   constructor(
     home: string,
     name: string,
     readonly x: PlotAxis,
     readonly y: PlotAxis,
     private readonly handlers: PlotHandlers,
-    private readonly drawCurves: () => void = () => {},
   ) {
-    set(this.picture, { "aria-label": name, dblclick: (event: MouseEvent) => this.doubleClicked(event) });
+    const dblclick = (event: MouseEvent): void => this.doubleClicked(event);
+    this.picture = svg("svg", { role: "group", "aria-label": name, dblclick }, this.frame, this.curves, this.squares);
     this.field.dataset.toX = String(x.to);
-    this.picture.append(this.frame, this.curves, this.squares);
     byId(home).replaceChildren(el("div", { class: "plot" }, this.field, this.picture));
     new ResizeObserver(() => this.layout()).observe(byId(home));
   }
@@ -89,46 +86,41 @@ export class Plot {
   private layout(): void {
     this.width = this.picture.clientWidth;
     this.height = this.picture.clientHeight;
-    if (this.width < 80 || this.height < 80) return;
-    const [left, right] = [this.px(this.x.from), this.px(this.x.to)];
-    const [bottom, top] = [this.py(this.y.from), this.py(this.y.to)];
-    this.field.style.cssText = `left:${left}px;top:${top}px;width:${right - left}px;height:${bottom - top}px`;
+    const { left, top } = margin;
+    const [right, bottom] = [this.width - margin.right, this.height - margin.bottom];
+    const [width, height] = [Math.max(right - left, 1), Math.max(bottom - top, 1)];
+    this.field.style.cssText = `left:${left}px;top:${top}px;width:${width}px;height:${height}px`;
+    const tick = (line: string, x: number, y: number, text: number, name: string): Node[] =>
+      [svg("path", { d: line }), svg("text", { x, y, class: name }, String(text))];
     this.frame.replaceChildren(
-      svg("rect", { x: left, y: top, width: right - left, height: bottom - top }),
+      svg("rect", { x: left, y: top, width, height }),
       svg("text", { x: right, y: bottom + 33, class: "end label" }, this.x.label),
       svg("text", { x: left + 8, y: top + 17, class: "start over" }, this.y.label),
+      ...this.x.ticks.flatMap((x) => tick(`M${this.px(x)} ${bottom}v5`, this.px(x), bottom + 17, x, "")),
+      ...this.y.ticks.flatMap((y) => tick(`M${left} ${this.py(y)}h-5`, left - 8, this.py(y) + 4, y, "end")),
     );
-    for (const x of this.x.ticks) {
-      this.frame.append(svg("path", { d: `M${this.px(x)} ${bottom}v5` }));
-      this.frame.append(svg("text", { x: this.px(x), y: bottom + 17 }, String(x)));
-    }
-    for (const y of this.y.ticks) {
-      this.frame.append(svg("path", { d: `M${left} ${this.py(y)}h-5` }));
-      this.frame.append(svg("text", { x: left - 8, y: this.py(y) + 4, class: "end" }, String(y)));
-    }
-    this.drawCurves();
+    this.handlers.layout?.();
     this.show(this.shown);
   }
 
-  private place(group: Element, square: Square): void {
-    const x = clamp(this.px(square.x), margin.left, this.width - margin.right);
-    const y = clamp(this.py(square.y), margin.top, this.height - margin.bottom);
-    set(group, { transform: `translate(${x} ${y})`, class: square.isSelected ? "square selected" : "square" });
-    const said = { "aria-label": square.name, "aria-valuetext": square.text, "aria-valuenow": square.x };
-    set(group.querySelector("g")!, said);
-    set(group.querySelector(".inside")!, { fill: square.colour });
+  private place(group: Element, { x: atX, y: atY, colour, name, text, isSelected }: Square): void {
+    const x = clamp(this.px(atX), margin.left, this.width - margin.right);
+    const y = clamp(this.py(atY), margin.top, this.height - margin.bottom);
+    set(group, { transform: `translate(${x} ${y})`, class: isSelected ? "square selected" : "square" });
+    set(group.querySelector("g")!, { "aria-label": name, "aria-valuetext": text, "aria-valuenow": atX });
+    set(group.querySelector(".inside")!, { fill: colour });
     const isLeft = x > this.width - 150;
     const labelY = y < margin.top + 16 ? 16 : y > this.height - margin.bottom - 14 ? -12 : 5;
-    const label = group.querySelector("text")!;
-    set(label, { x: isLeft ? -16 : 16, y: labelY, class: isLeft ? "end" : "start" });
-    label.textContent = square.text;
+    const placed = { x: isLeft ? -16 : 16, y: labelY, class: isLeft ? "end" : "start" };
+    set(group.querySelector("text")!, placed).textContent = text;
   }
 
   private newSquare(): SVGGElement {
-    const box = (half: number, name: string): SVGRectElement =>
-      svg("rect", { x: -half, y: -half, width: 2 * half, height: 2 * half, class: name });
-    const handle = svg("g", { tabindex: 0, role: "slider", "aria-valuemin": this.x.from, "aria-valuemax": this.x.to });
-    handle.append(box(18, "touch"), box(12, "ring"), box(8, "outside"), box(8, "inside"));
+    const boxes = Object.entries({ touch: 18, ring: 12, outside: 8, inside: 8 }).map(([name, half]) =>
+      svg("rect", { x: -half, y: -half, width: 2 * half, height: 2 * half, class: name }),
+    );
+    const range = { "aria-valuemin": this.x.from, "aria-valuemax": this.x.to };
+    const handle = svg("g", { tabindex: 0, role: "slider", ...range }, ...boxes);
     const group = svg("g", {}, handle, svg("text"));
     const index = (): number => [...this.squares.children].indexOf(group);
     set(handle, {
@@ -146,7 +138,7 @@ export class Plot {
     return [onAxis(x, this.x), onAxis(y, this.y)];
   }
 
-  // What a way of so many pixels to the right and down is worth.
+  // Numbers of the axes, so many pixels to the right and down of others.
   private moved(x: number, y: number, right: number, down: number): [number, number] {
     const perPixelX = (this.x.to - this.x.from) / (this.width - margin.left - margin.right);
     const perPixelY = (this.y.to - this.y.from) / (this.height - margin.top - margin.bottom);
@@ -155,8 +147,7 @@ export class Plot {
 
   private doubleClicked(event: MouseEvent): void {
     const box = this.picture.getBoundingClientRect();
-    const right = event.clientX - box.left - margin.left;
-    const down = event.clientY - box.bottom + margin.bottom;
+    const [right, down] = [event.clientX - box.left - margin.left, event.clientY - box.bottom + margin.bottom];
     this.handlers.add?.(...this.moved(this.x.from, this.y.from, right, down));
   }
 
@@ -178,11 +169,11 @@ export class Plot {
   }
 
   private pressed(index: number, event: KeyboardEvent): void {
-    const way = arrows[event.key];
+    const way = (ways as Record<string, number[]>)[event.key];
     const { x, y } = this.shown[index]!;
+    const size = event.shiftKey ? "leap" : "step";
     if (way) {
-      const size = event.shiftKey ? "leap" : "step";
-      const to = this.rounded(x + way[0] * this.x[size], y + way[1] * this.y[size]);
+      const to = this.rounded(x + way[0]! * this.x[size], y + way[1]! * this.y[size]);
       this.handlers.move(index, ...to, `keys ${index}`);
     } else if (event.key === "Enter") this.handlers.add?.(x, y);
     else if (event.key === "Delete" || event.key === "Backspace") this.handlers.remove?.(index);

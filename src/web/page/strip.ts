@@ -10,10 +10,8 @@ const isEvenInDegrees = (axis: Axis): boolean => ["sqrt_cos_theta", "cos_theta",
 /** The texture coordinate, 0 to 1, of a place across a strip: even in degrees for angles, even in itself for others. */
 function coordinate(axis: Axis, share: number): number {
   const cosTheta = Math.max(0, Math.cos((share * Math.PI) / 2));
-  const angles: Record<string, number> = {
-    ...{ sqrt_cos_theta: Math.sqrt(cosTheta), cos_theta: cosTheta, theta_deg: 90 * share },
-  };
-  const value = angles[axis.name] ?? mix(axis.from, axis.to, share);
+  const angles = { sqrt_cos_theta: Math.sqrt(cosTheta), cos_theta: cosTheta, theta_deg: 90 * share };
+  const value = (angles as Record<string, number>)[axis.name] ?? mix(axis.from, axis.to, share);
   return clamp((value - axis.from) / (axis.to - axis.from), 0, 1);
 }
 
@@ -31,13 +29,11 @@ export function paintStrip(canvas: HTMLCanvasElement, lut: BakedLut, width: numb
     for (let i = 0; i < 3; ++i) rgb[i] = raw.reduce((sum, value, j) => sum + lut.toRec709[3 * i + j]! * value, 0);
   };
   // Towards grazing angles most surfaces are white.
-  const rgb = [0, 0, 0];
+  const [rgb, end] = [[0, 0, 0], isEvenInDegrees(lut.x) ? width / 1.5 : width];
   let brightest = 1e-4;
-  for (let x = 0; x < (isEvenInDegrees(lut.x) ? width / 1.5 : width); x += 4) {
-    for (let y = 0; y < lut.height; ++y) {
-      fetch(x, y, rgb);
-      brightest = Math.max(brightest, ...rgb);
-    }
+  for (let i = 0; i < end * lut.height; i += 4) {
+    fetch(Math.floor(i / lut.height), i % lut.height, rgb);
+    brightest = Math.max(brightest, ...rgb);
   }
   const gain = brightest > 1 || brightest < 0.15 ? 0.95 / brightest : 1;
   paint(canvas, width, lut.height, (x, y, written) => {
@@ -57,19 +53,17 @@ function chart(name: string, points: [number, number][], present: [number, numbe
   const x = (bound: number): number => 10 + 130 * (Math.log(2 / clamp(bound, 0.01, 2)) / Math.log(200));
   const y = (value: number): number => 66 - 40 * (Math.log(Math.max(value, 1e-6) / low) / Math.log(high / low));
   const said = points.map(([bound, value]) => `${bound}: ${text(value)}`).join("; ");
-  const picture = svg("svg", { viewBox: "0 0 150 84", role: "img", class: "chart" });
-  picture.setAttribute("aria-label", `${name} against the bound ΔE00. ${said}`);
-  picture.append(svg("text", { x: 10, y: 12 }, name), svg("path", { class: "grid", d: "M10 70H140" }));
-  for (const bound of [2, 0.2, 0.02]) picture.append(svg("text", { x: x(bound), y: 81, class: "mid" }, String(bound)));
+  const label = `${name} against the bound ΔE00. ${said}`;
   const line = points.map(([bound, value]) => `${x(bound)} ${y(value)}`).join("L");
-  if (line !== "") picture.append(svg("path", { class: "line", d: `M${line}` }));
-  for (const [bound, value] of points) {
-    const title = svg("title", {}, `ΔE00 ${bound}: ${text(value)}`);
-    picture.append(svg("circle", { cx: x(bound), cy: y(value), r: 2 }, title));
-  }
-  picture.append(svg("circle", { class: "present", cx: x(present[0]), cy: y(present[1]), r: 4.5 }));
-  picture.append(svg("text", { x: 140, y: 12, class: "end strong" }, text(present[1])));
-  return picture;
+  return svg(
+    ...(["svg", { viewBox: "0 0 150 84", role: "img", class: "chart", "aria-label": label }] as const),
+    ...[svg("text", { x: 10, y: 12 }, name), svg("path", { class: "grid", d: "M10 70H140" })],
+    ...[2, 0.2, 0.02].map((bound) => svg("text", { x: x(bound), y: 81, class: "mid" }, String(bound))),
+    svg("path", { class: "line", d: line === "" ? "" : `M${line}` }),
+    ...points.map(([bound, value]) => svg("circle", { cx: x(bound), cy: y(value), r: 2 })),
+    svg("circle", { class: "present", cx: x(present[0]), cy: y(present[1]), r: 4.5 }),
+    svg("text", { x: 140, y: 12, class: "end strong" }, text(present[1])),
+  );
 }
 
 export class StripPanel {
@@ -105,23 +99,23 @@ export class StripPanel {
     if (!lut || !summary) return;
     const [isNegative, gain] = paintStrip(this.canvas, lut, lut.height > 1 ? 256 : this.width);
     byId("negative").replaceChildren(...this.negativeRegions(isNegative));
-    byId("strip-axis").replaceChildren(...this.axis(lut), ...this.picks(lut));
+    byId("strip-axis").replaceChildren(...this.marks(lut));
     this.bound.show(summary.maxDe00, doc.has("accuracy.max_de00"));
     this.showFacts(lut, Math.log2(gain));
-    this.drawCost();
     this.planCost();
+    this.drawCost();
   }
 
   private showFacts(lut: BakedLut, stops: number): void {
-    const facts: [string, string][] = [
-      ["reached ΔE00", this.page.isCoarse ? "coarse …" : lut.reached === undefined ? "–" : short(lut.reached, 2)],
-      ["size", `${lut.width} × ${lut.height} ${lut.format}`],
-      ["file", readableBytes(lut.bytes)],
-      ["time", readableSeconds(allSeconds(lut))],
-      ["space", lut.space],
-    ];
-    if (Math.abs(stops) > 0.05) facts.push(["shown at", `${stops > 0 ? "+" : ""}${short(stops, 2)} EV`]);
-    const rows = facts.map(([name, value]) => el("div", {}, el("dt", {}, name), el("dd", {}, value)));
+    const facts: Record<string, string> = {
+      "reached ΔE00": this.page.isCoarse ? "coarse …" : lut.reached === undefined ? "–" : short(lut.reached, 2),
+      size: `${lut.width} × ${lut.height} ${lut.format}`,
+      file: readableBytes(lut.bytes),
+      time: readableSeconds(allSeconds(lut)),
+      space: lut.space,
+      ...(stops === 0 ? {} : { "shown at": `${stops > 0 ? "+" : ""}${short(stops, 2)} EV` }),
+    };
+    const rows = Object.entries(facts).map(([name, value]) => el("div", {}, el("dt", {}, name), el("dd", {}, value)));
     byId("facts").replaceChildren(...rows);
   }
 
@@ -134,19 +128,18 @@ export class StripPanel {
     });
   }
 
-  private axis({ x }: BakedLut): Node[] {
-    return [0, 1, 2, 3, 4, 5, 6].map((sixth) => {
+  // The ticks of the axis below the strip, and the picks above it.
+  private marks({ x }: BakedLut): Node[] {
+    const ticks = [0, 1, 2, 3, 4, 5, 6].map((sixth) => {
       const name = isEvenInDegrees(x) ? `${15 * sixth}°` : short(mix(x.from, x.to, sixth / 6), 2);
       return el("span", { class: "tick", style: `left:${(100 * sixth) / 6}%` }, name);
     });
-  }
-
-  private picks(lut: BakedLut): Node[] {
-    const picks = isEvenInDegrees(lut.x) ? (this.page.material?.picks ?? []) : [];
-    return picks.map((pick, i) => {
+    const picks = isEvenInDegrees(x) ? (this.page.material?.picks ?? []) : [];
+    const squares = picks.map(({ angleDeg }, i) => {
       const name = i === this.page.pick ? "pick selected" : "pick";
-      return el("span", { class: name, style: `left:${pick.angleDeg / 0.9}%`, title: `Pick ${i + 1}` });
+      return el("span", { class: name, style: `left:${angleDeg / 0.9}%`, title: `Pick ${i + 1}` });
     });
+    return [...ticks, ...squares];
   }
 
   // The curve does not depend on the bound of the scene. It waits until the scene has been still for a while.
@@ -155,7 +148,6 @@ export class StripPanel {
     if (key === this.costKey) return;
     this.costKey = key;
     this.points = [];
-    this.drawCost();
     clearTimeout(this.costTimer);
     this.costTimer = window.setTimeout(() => void this.measureCost(key), 800);
   }
@@ -175,9 +167,7 @@ export class StripPanel {
     if (!baked || isCoarse) return;
     const draw = (name: string, of: (point: CostPoint | BakedLut) => number, text: (n: number) => string): Node =>
       chart(name, this.points.map((point) => [point.maxDe00, of(point)]), [baked.maxDe00, of(baked)], text);
-    byId("cost").replaceChildren(
-      draw("time", allSeconds, readableSeconds),
-      draw("bytes", ({ bytes }) => bytes, readableBytes),
-    );
+    const bytes = draw("bytes", (point) => point.bytes, readableBytes);
+    byId("cost").replaceChildren(draw("time", allSeconds, readableSeconds), bytes);
   }
 }

@@ -33,9 +33,9 @@ export class TextPanel {
       if (document.activeElement === this.area) this.area.setSelectionRange(selectionStart, selectionEnd);
     }
     const messages = doc.opened.mistakes.map(({ message, line, column }) => {
-      if (line === 0) return el("li", { class: "mistake" }, message);
       const jump = (): void => this.jump(line, column);
-      return el("li", { class: "mistake" }, el("button", { click: jump }, message.replace("scene.toml:", "")));
+      const said = message.replace("scene.toml:", "");
+      return el("li", { class: "mistake" }, line === 0 ? message : el("button", { click: jump }, said));
     });
     const warnings = doc.opened.warnings.map((text) => el("li", { class: "note" }, text));
     byId("messages").replaceChildren(...messages, ...warnings);
@@ -53,22 +53,18 @@ export class TextPanel {
   private paint(): void {
     const wrong = new Set(this.page.doc.opened.mistakes.map((mistake) => mistake.line));
     const lines = this.area.value.split("\n").map((line, i) => (wrong.has(i + 1) ? `!${line}` : ` ${line}`));
-    for (let i = this.painted.length; i < lines.length; ++i) {
-      this.colours.append(el("div"));
-      this.numbers.append(el("div", {}, String(i + 1)));
-    }
     for (const column of [this.colours, this.numbers]) {
-      while (column.childNodes.length > lines.length) column.lastChild!.remove();
+      while (column.children.length > lines.length) column.lastChild!.remove();
+      while (column.children.length < lines.length) column.append(el("div", {}, String(column.children.length + 1)));
     }
     lines.forEach((line, i) => {
       if (line === this.painted[i]) return;
       const parts = partsOfLine.exec(line.slice(1)) ?? ["", "", line.slice(1)];
       const kinds = ["heading", "plain", "comment"];
       const spans = kinds.map((kind, part) => el("span", { class: kind }, parts[part + 1] ?? ""));
-      const shown = this.colours.childNodes[i] as HTMLElement;
-      shown.replaceChildren(...spans, "\u200b");
-      for (const element of [shown, this.numbers.childNodes[i] as HTMLElement]) {
-        element.className = line.startsWith("!") ? "wrong" : "";
+      this.colours.children[i]!.replaceChildren(...spans, "\u200b");
+      for (const column of [this.colours, this.numbers]) {
+        column.children[i]!.className = line.startsWith("!") ? "wrong" : "";
       }
     });
     this.painted = lines;

@@ -12,7 +12,7 @@ interface Edit {
   text: string;
 }
 
-export function inToml(value: TomlValue): string {
+function inToml(value: TomlValue): string {
   if (typeof value === "number") return String(Number(value.toPrecision(7)));
   if (Array.isArray(value)) return `[${value.map((item) => JSON.stringify(item)).join(", ")}]`;
   return typeof value === "object" ? value.toml : JSON.stringify(value);
@@ -22,12 +22,7 @@ export function inToml(value: TomlValue): string {
 export function offsetOf(text: string, line: number, column: number): number {
   let start = 0;
   for (let at = 1; at < line; ++at) start = text.indexOf("\n", start) + 1;
-  let offset = start;
-  for (const character of text.slice(start)) {
-    if (--column < 1) break;
-    offset += character.length;
-  }
-  return offset;
+  return start + [...text.slice(start, endOfLine(text, start))].slice(0, column - 1).join("").length;
 }
 
 function spanOf(text: string, place: Place): { begin: number; end: number } {
@@ -42,37 +37,32 @@ function endOfLine(text: string, offset: number): number {
 const isAssigned = (text: string, begin: number): boolean => text.slice(0, begin).trimEnd().endsWith("=");
 
 /** "a.b[0].c" as "a.b[0]" and "c". */
-function parentAndKey(path: string): { parent: string; key: string } {
+function parentAndKey(path: string): [string, string] {
   const parts = /^(.*)\.("(?:[^"\\]|\\.)*"|[\w-]+)$/s.exec(path);
-  return parts ? { parent: parts[1]!, key: parts[2]! } : { parent: "", key: path };
+  return parts ? [parts[1]!, parts[2]!] : ["", path];
 }
 
 // Behind the last key of a table that stands under a heading.
 function endOfTable(text: string, values: Values, table: string, heading: number): number {
-  let last = heading;
-  for (const [path, value] of Object.entries(values)) {
-    if (parentAndKey(path).parent !== table) continue;
-    const { begin, end } = spanOf(text, value.place);
-    if (isAssigned(text, begin)) last = Math.max(last, end);
-  }
-  return endOfLine(text, last);
+  const ends = Object.keys(values)
+    .filter((path) => parentAndKey(path)[0] === table)
+    .map((path) => spanOf(text, values[path]!.place))
+    .map(({ begin, end }) => (isAssigned(text, begin) ? end : 0));
+  return endOfLine(text, Math.max(heading, ...ends));
 }
 
 function insertion(text: string, values: Values, path: string, literal: string): Edit {
-  const { parent, key } = parentAndKey(path);
+  const [parent, key] = parentAndKey(path);
   const table = values[parent];
   const span = table && table.place.line > 0 ? spanOf(text, table.place) : undefined;
-  if (span && text[span.begin] === "{") {
-    const inside = text.slice(span.begin + 1, span.end - 1);
-    const at = span.begin + 1 + inside.trimEnd().length;
-    return { begin: at, end: at, text: inside.trim() === "" ? ` ${key} = ${literal}` : `, ${key} = ${literal}` };
+  const at = (offset: number, added: string): Edit => ({ begin: offset, end: offset, text: added });
+  if (!span) return at(text.length, `${text.endsWith("\n") ? "" : "\n"}\n[${parent}]\n${key} = ${literal}\n`);
+  if (text[span.begin] === "{") {
+    const inside = text.slice(span.begin + 1, span.end - 1).trimEnd();
+    return at(span.begin + 1 + inside.length, `${inside === "" ? "" : ","} ${key} = ${literal}`);
   }
-  if (span) {
-    const at = endOfTable(text, values, parent, span.begin);
-    return { begin: at, end: at, text: `\n${text[span.begin] === "[" ? key : path} = ${literal}` };
-  }
-  const gap = text.endsWith("\n") ? "\n" : "\n\n";
-  return { begin: text.length, end: text.length, text: `${gap}[${parent}]\n${key} = ${literal}\n` };
+  const name = text[span.begin] === "[" ? key : path;
+  return at(endOfTable(text, values, parent, span.begin), `\n${name} = ${literal}`);
 }
 
 function applied(text: string, edits: Edit[]): string {
@@ -88,8 +78,7 @@ export function withValues(text: string, values: Values, changes: Record<string,
   const edits = Object.entries(changes).map(([key, value]) => {
     const path = table === "" ? key : `${table}.${key}`;
     const known = values[path];
-    if (!known) return insertion(text, values, path, inToml(value));
-    return { ...spanOf(text, known.place), text: inToml(value) };
+    return known ? { ...spanOf(text, known.place), text: inToml(value) } : insertion(text, values, path, inToml(value));
   });
   return applied(text, edits);
 }
@@ -106,28 +95,23 @@ export function withItem(text: string, values: Values, array: string, literal: s
   const rest = text.slice(end, whole.end - 1);
   if (!rest.includes("\n")) return applied(text, [{ begin: end, end, text: `, ${literal}` }]);
   const indent = /^[ \t]*/.exec(text.slice(text.lastIndexOf("\n", begin) + 1))![0];
-  const hasComma = rest.replace(/#.*$/gm, "").includes(",");
+  const comma = rest.replace(/#.*$/gm, "").includes(",") ? "," : "";
   const lineEnd = endOfLine(text, end);
-  return applied(text, [
-    { begin: end, end, text: hasComma ? "" : "," },
-    { begin: lineEnd, end: lineEnd, text: `\n${indent}${literal}${hasComma ? "," : ""}` },
-  ]);
+  const added = { begin: lineEnd, end: lineEnd, text: `\n${indent}${literal}${comma}` };
+  return applied(text, [{ begin: end, end, text: comma === "" ? "," : "" }, added]);
 }
 
 /** The text without a value: a key of a table, or an item of an array. */
 export function without(text: string, values: Values, path: string): string {
-  const known = values[path];
-  if (!known) return text;
-  let { begin, end } = spanOf(text, known.place);
+  if (!values[path]) return text;
+  let { begin, end } = spanOf(text, values[path]!.place);
   const key = /(?:"[^"\n]*"|[\w.-]+)\s*=\s*$/.exec(text.slice(0, begin));
-  if (key && isAssigned(text, begin)) begin = key.index;
+  if (key) begin = key.index;
   const after = /^\s*,[ \t]*/.exec(text.slice(end));
   if (after) end += after[0].length;
   else begin -= /(?:,\s*)?$/.exec(text.slice(0, begin))![0].length;
   const lineStart = text.lastIndexOf("\n", begin - 1) + 1;
   const lineEnd = endOfLine(text, end);
-  const isLineEmpty = (text.slice(lineStart, begin) + text.slice(end, lineEnd)).trim() === "";
-  return isLineEmpty && lineEnd < text.length
-    ? text.slice(0, lineStart) + text.slice(lineEnd + 1)
-    : text.slice(0, begin) + text.slice(end);
+  const isAlone = (text.slice(lineStart, begin) + text.slice(end, lineEnd)).trim() === "";
+  return isAlone ? text.slice(0, lineStart) + text.slice(lineEnd + 1) : text.slice(0, begin) + text.slice(end);
 }

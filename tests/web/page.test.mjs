@@ -183,7 +183,7 @@ describe("the page", () => {
         document.dispatchEvent(new DragEvent("drop", { dataTransfer: data, bubbles: true, cancelable: true }));
       }, files);
     const table = "wavelength_nm,0\n380,0.1\n500,0.9\n600,0.2\n780,0.1\n";
-    const scene = '[material.own]\nmechanism = "measured"\nfile = "own.csv"\noutside = "hold"\n';
+    const scene = '[material.own]\nmechanism = "measured"\nfile = "own.csv"\n';
     await drop([{ name: "own.csv", text: table }, { name: "own.toml", text: scene }]);
     await page.waitForFunction(() => window.nacrePage.material?.name === "own");
     await settled(page);

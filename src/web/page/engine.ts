@@ -43,8 +43,10 @@ class WorkerEngine implements AsyncEngine {
     for (const { reject } of this.waiting.values()) reject(new Error("cancelled"));
     this.waiting.clear();
     this.worker = this.started();
-    for (const [path, bytes] of this.files) void this.ask("putFile", [path, bytes]);
-    if (this.text !== "") void this.ask("open", [this.text]);
+    // Another cancel() rejects these; nobody waits for them.
+    const ignored = (): void => undefined;
+    for (const [path, bytes] of this.files) this.ask("putFile", [path, bytes]).catch(ignored);
+    if (this.text !== "") this.ask("open", [this.text]).catch(ignored);
   }
 
   private started(): Worker {

@@ -41,7 +41,7 @@ function wingCase(u: number, v: number): Point {
 
 function addBeetle(mesh: Mesh): void {
   for (const side of [-1, 1]) {
-    addSurface(mesh, [96, 64], part.elytron, (u, v) => mirrored([wingCase(u, v)], side)[0]!);
+    addSurface(mesh, [64, 40], part.elytron, (u, v) => mirrored([wingCase(u, v)], side)[0]!);
     const antenna: Point[] = [[1.03, 0.06, 0.07], [1.2, 0.2, 0.2], [1.32, 0.22, 0.42], [1.36, 0.16, 0.62]];
     addTube(mesh, part.gloss, mirrored(antenna, side), 0.02, 0.012);
     addEllipsoid(mesh, [20, 14], part.gloss, [0.98, 0.06, 0.17 * side], [0.07, 0.075, 0.06]);
@@ -51,7 +51,7 @@ function addBeetle(mesh: Mesh): void {
       addTube(mesh, part.gloss, mirrored(leg, side), 0.05, 0.016);
     }
   }
-  addSurface(mesh, [48, 64], part.lut, (u, v) => {
+  addSurface(mesh, [32, 48], part.lut, (u, v) => {
     const [angle, dome] = [1.16 * Math.PI * (v - 0.5), (1 - Math.abs(1.8 * u - 0.88) ** 3.4) ** (1 / 3.4)];
     const width = (0.53 - 0.17 * u * u) * (0.55 + 0.45 * dome);
     return [0.44 + 0.47 * u, (0.44 - 0.13 * u) * dome * Math.cos(angle), width * Math.sin(angle)];
@@ -76,7 +76,7 @@ function addWing(mesh: Mesh, side: number, isFore: boolean): void {
     const bulge = 0.07 * Math.sin(Math.PI * Math.min(r, 1)) + 0.0016 * r * wave;
     return [side * px, py, 0.16 * px + bulge + (isFore ? 0.02 : 0)];
   };
-  addSurface(mesh, [144, 32], part.wing, at, (u, v, [x, y]) => [x, y, u + (isFore ? 0 : 2), v]);
+  addSurface(mesh, [100, 18], part.wing, at, (u, v, [x, y]) => [x, y, u + (isFore ? 0 : 2), v]);
 }
 
 function addButterfly(mesh: Mesh): void {
@@ -113,7 +113,7 @@ function carBody(u: number, v: number): Point {
 }
 
 function addCar(mesh: Mesh): void {
-  addSurface(mesh, [180, 128], part.car, carBody, (_u, _v, point) => [...point, 0]);
+  addSurface(mesh, [128, 88], part.car, carBody, (_u, _v, point) => [...point, 0]);
   const rings = [[0.33, 0.6, part.matte], [0.33, 0.91, part.matte], [0.315, 0.95, part.matte], [0.265, 0.95, part.metal],
     [0.25, 0.93, part.gloss], [0, 0.92, part.gloss]] as const;
   for (const [x, side] of [[-1.32, -1], [-1.32, 1], [1.32, -1], [1.32, 1]] as const) {
@@ -132,13 +132,13 @@ function addCar(mesh: Mesh): void {
   mesh.vertices = mesh.vertices.map((value, i) => (i % 11 < 3 ? scale * (value - (i % 11 === 1 ? 0.66 : 0)) : value));
 }
 
-const addBall = (mesh: Mesh): void => addEllipsoid(mesh, [128, 64], part.lut, [0, 0, 0], [1, 1, 1]);
+const addBall = (mesh: Mesh): void => addEllipsoid(mesh, [96, 48], part.lut, [0, 0, 0], [1, 1, 1]);
 const none: [number, number] = [1e-3, 1e-3];
 const makers: Record<ObjectName, [(mesh: Mesh) => void, Omit<ShownObject, "mesh">]> = {
   sphere: [addBall, { turn: 0, pitch: 8, reach: [1.2, 1.34], floor: -1, shade: [1, 1] }],
   bubble: [addBall, { turn: 0, pitch: 4, reach: [1.2, 1.34], floor: -1, shade: none }],
   wing: [addButterfly, { turn: -14, pitch: 10, reach: [1.3, 1.1], floor: -1.25, shade: none }],
-  elytra: [addBeetle, { turn: -128, pitch: 40, reach: [1.5, 1.2], floor: -0.4, shade: [1.0, 0.62] }],
+  elytra: [addBeetle, { turn: -128, pitch: 40, reach: [1.5, 1.3], floor: -0.4, shade: [1.0, 0.62] }],
   car: [addCar, { turn: -38, pitch: 11, reach: [1.5, 0.92], floor: -0.41, shade: [1.36, 0.56] }],
   disc: [addDisc, { turn: 0, pitch: 58, reach: [1.15, 1.12], floor: -0.03, shade: [0.97, 0.97] }],
 };

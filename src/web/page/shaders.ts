@@ -11,12 +11,11 @@ uniform float brightness, floorAt, board;
 uniform mat3 camera;          // right and up, as long as half the picture, and forward
 uniform vec2 shadeSize;       // of the object's shade on the floor
 uniform mat2 roomTurn, shadeTurn;
-const vec3 towards[4] = vec3[](vec3(0.177, 0.984, 0.0), vec3(-0.6, 0.36, 0.714), vec3(0.9975, 0.05, 0.05),
-                               vec3(-0.799, 0.05, -0.599));
-const vec3 across[4] = vec3[](vec3(0.0, 0.0, -1.0), vec3(0.766, 0.0, 0.643), vec3(0.05, 0.0, -0.9987),
-                              vec3(-0.6, 0.0, 0.8));
-const vec3 sizes[4] = vec3[](vec3(0.75, 0.42, 0.95), vec3(0.40, 0.30, 1.0), vec3(0.16, 0.55, 0.75),
-                             vec3(0.12, 0.70, 0.65));   // half across, half along, luminance
+// Lights: across, along, and to the light. A loop over arrays would be slow where no GPU is.
+const mat3 overhead = mat3(0.0, 0.0, -1.0, -0.984, 0.177, 0.0, 0.177, 0.984, 0.0);
+const mat3 key = mat3(0.766, 0.0, 0.643, 0.232, 0.933, -0.276, -0.6, 0.36, 0.714);
+const mat3 rightStrip = mat3(0.05, 0.0, -0.9987, -0.05, 0.9987, -0.0025, 0.9975, 0.05, 0.05);
+const mat3 leftStrip = mat3(-0.6, 0.0, 0.8, 0.04, 0.9986, 0.03, -0.799, 0.05, -0.599);
 vec2 ramp(vec2 t, vec2 width) {
   vec2 x = clamp(t / width, -1.0, 1.0);
   return 0.5 + x * (0.75 - 0.25 * x * x);
@@ -30,17 +29,19 @@ float floorSeen(vec3 from, vec3 way) {
   float lit = mix(0.10, 0.36, ramp(vec2((roomTurn * foot).y - 3.0), vec2(3.0)).x);
   return mix(wall(way), lit * open, exp(-dot(foot, foot) / 49.0));
 }
+/** @param way  in the light's frame  @param size  half across, half along, luminance */
+float softbox(vec3 way, vec3 size, float width) {
+  vec2 at = way.xy / (max(way.z, 0.05) * size.xy);
+  vec2 inside = ramp(at + 1.0, width / size.xy) - ramp(at - 1.0, width / size.xy);
+  return way.z < 0.05 ? 0.0 : size.z * (1.0 - 0.15 * min(dot(at, at), 2.0)) * inside.x * inside.y;
+}
 /** @param blur  standard deviation of the directions that a rough surface mirrors, in radians */
 float studio(vec3 from, vec3 way, float blur) {
   float width = sqrt(5.0 * (1.44e-4 + blur * blur));
   way.xz = roomTurn * way.xz;
   float sky = wall(way);
-  for (int i = 0; i < 4; ++i) {
-    float ahead = max(dot(way, towards[i]), 0.05);
-    vec2 at = vec2(dot(way, across[i]), dot(way, cross(towards[i], across[i]))) / (ahead * sizes[i].xy);
-    vec2 inside = ramp(at + 1.0, width / sizes[i].xy) - ramp(at - 1.0, width / sizes[i].xy);
-    sky += sizes[i].z * (1.0 - 0.15 * min(dot(at, at), 2.0)) * inside.x * inside.y * step(0.051, ahead);
-  }
+  sky += softbox(way * overhead, vec3(0.75, 0.42, 0.95), width) + softbox(way * key, vec3(0.4, 0.3, 1.0), width);
+  sky += softbox(way * rightStrip, vec3(0.16, 0.55, 0.75), width) + softbox(way * leftStrip, vec3(0.12, 0.7, 0.65), width);
   return environment * mix(floorSeen(from, way), sky, ramp(vec2(way.y), vec2(max(width, 0.03))).x);
 }
 /** What a white matte surface shows. */
@@ -118,22 +119,21 @@ vec3 ofLight(Surface s, vec3 V, Seen seen) {
   return (s.share * mirrored(seen) + s.f0) * nl * a2 / (6.2832 * t * t * max(smith, 1e-6));
 }
 /** Gratings and scattering: each lamp is a direction. */
-vec3 ofLamps(Surface s, vec3 V, Seen seen) {
-  vec3 sum = vec3(0.0), along = cross(s.N, s.across);
-  for (int i = 0; i < 5; ++i) {
-    int lamp = min(i, 3);
-    vec3 L = i == 4 ? light : vec3(towards[lamp].xz * roomTurn, towards[lamp].y).xzy;
-    float nl = clamp(dot(s.N, L), 0.0, 1.0);
-    float strength = nl * (i == 4 ? 1.0 : environment * 4.0 * sizes[lamp].x * sizes[lamp].y * sizes[lamp].z);
-    float u = dot(L + V, s.across), w = dot(L + V, along), stray = mix(0.13, 0.3, s.roughness);
-    seen.scatter = dot(-L, V);
-    seen.u = AXIS_Y == 5 ? length(vec2(u, w)) : u;
-    seen.azimuth = degrees(atan(abs(w), abs(u)));
-    float g = AXIS_Y == 5 ? 90.0 : exp(-0.5 * w * w / (stray * stray)) / (2.5066 * stray);
-    if (QUANTITY == 2) g = 1.0 / (12.566 * (nl + max(dot(s.N, V), 1e-3)));
-    sum += mirrored(seen) * strength * g;
-  }
-  return sum;
+vec3 ofLamp(Surface s, vec3 V, Seen seen, vec3 L, float strength) {
+  float nl = clamp(dot(s.N, L), 0.0, 1.0), stray = mix(0.13, 0.3, s.roughness);
+  float u = dot(L + V, s.across), w = dot(L + V, cross(s.N, s.across));
+  seen.scatter = dot(-L, V);
+  seen.u = AXIS_Y == 5 ? length(vec2(u, w)) : u;
+  seen.azimuth = degrees(atan(abs(w), abs(u)));
+  float g = AXIS_Y == 5 ? 90.0 : exp(-0.5 * w * w / (stray * stray)) / (2.5066 * stray);
+  if (QUANTITY == 2) g = 1.0 / (12.566 * (nl + max(dot(s.N, V), 1e-3)));
+  return mirrored(seen) * strength * nl * g;
+}
+vec3 inRoom(vec3 way) { return vec3(way.xz * roomTurn, way.y).xzy; }
+vec3 ofLamps(Surface s, vec3 V, Seen seen) {   // as strong as the lights of the room are large
+  vec3 sum = ofLamp(s, V, seen, inRoom(overhead[2]), 1.2) + ofLamp(s, V, seen, inRoom(key[2]), 0.48);
+  sum += ofLamp(s, V, seen, inRoom(rightStrip[2]), 0.26) + ofLamp(s, V, seen, inRoom(leftStrip[2]), 0.22);
+  return environment * sum + ofLamp(s, V, seen, light, 1.0);
 }
 /** Front and back of a ball, and what is behind it: the way through thin walls is straight. */
 vec3 bubble(Surface s, vec3 V) {

@@ -79,7 +79,7 @@ export function path(points: Point[]): (t: number) => Point {
 /** A round tube along a curve that gets thinner: legs and antennae. */
 export function addTube(mesh: Mesh, kind: number, points: Point[], from: number, to: number): void {
   const curve = path(points);
-  addSurface(mesh, [24, 10], kind, (u, v) => {
+  addSurface(mesh, [18, 8], kind, (u, v) => {
     const side = unit(cross(minus(curve(u + 1e-3), curve(u)), [0.1, 0.2, 1]));
     const up = unit(cross(side, minus(curve(u + 1e-3), curve(u))));
     const radius = (from + (to - from) * u) * Math.min(1, 8 * (1 - u) + 0.05);

@@ -15,8 +15,8 @@ export function direction([around, up]: [number, number]): Point {
 
 /** The camera looks at the middle from (0, y, z). */
 export class Eye {
-  readonly from: Point;
   readonly right: Point = [1, 0, 0];
+  readonly from: Point;
   readonly up: Point;
   readonly forward: Point;
   /** Half the picture's width and height at distance 1. */
@@ -25,13 +25,15 @@ export class Eye {
   constructor(object: ShownObject, pitch: number, zoom: number, aspect: number) {
     const half = Math.max(object.reach[1], object.reach[0] / aspect) / zoom / far;
     const [c, s] = [Math.cos(pitch * degree), Math.sin(pitch * degree)];
-    [this.from, this.up, this.forward, this.half] = [[0, far * s, far * c], [0, c, -s], [0, -s, -c], [half * aspect, half]];
+    [this.from, this.up, this.forward] = [[0, far * s, far * c], [0, c, -s], [0, -s, -c]];
+    this.half = [half * aspect, half];
   }
 
   /** For depths of 2 to 20, column by column, as WebGL takes it. */
   matrix(): number[] {
     const { right, up, forward, half } = this;
-    const rows = [right.map((v) => v / half[0]), up.map((v) => v / half[1]), forward.map((v) => (v * 22) / 18), forward];
+    const depth = forward.map((v) => (v * 22) / 18);
+    const rows = [right.map((v) => v / half[0]), up.map((v) => v / half[1]), depth, forward];
     return [...[0, 1, 2].flatMap((column) => rows.map((row) => row[column]!)), 0, 0, (far * 22 - 80) / 18, far];
   }
 

@@ -16,8 +16,9 @@ export function program(gl: WebGL2RenderingContext, vertex: string, fragment: st
     gl.attachShader(made, shader);
   }
   gl.linkProgram(made);
-  const logs = (): string => (gl.getAttachedShaders(made) ?? []).map((shader) => gl.getShaderInfoLog(shader)).join("\n");
-  if (!gl.getProgramParameter(made, gl.LINK_STATUS) && !gl.isContextLost()) throw new Error(`The shader fails: ${logs()}`);
+  if (!gl.getProgramParameter(made, gl.LINK_STATUS) && !gl.isContextLost()) {
+    throw new Error((gl.getAttachedShaders(made) ?? []).map((shader) => gl.getShaderInfoLog(shader)).join("\n"));
+  }
   const count = (gl.getProgramParameter(made, gl.ACTIVE_UNIFORMS) ?? 0) as number;
   const places = Array.from({ length: count }, (_, i) => {
     const { name, type } = gl.getActiveUniform(made, i)!;
@@ -65,8 +66,9 @@ export function uploadLut(gl: WebGL2RenderingContext, unit: number, { width, hei
   gl.activeTexture(gl.TEXTURE0 + unit);
   gl.bindTexture(gl.TEXTURE_2D, texture);
   gl.texImage2D(gl.TEXTURE_2D, 0, format, width, height, 0, gl.RGB, gl.FLOAT, texels);
-  for (const filter of [gl.TEXTURE_MIN_FILTER, gl.TEXTURE_MAG_FILTER]) gl.texParameteri(gl.TEXTURE_2D, filter, gl.LINEAR);
-  for (const wrap of [gl.TEXTURE_WRAP_S, gl.TEXTURE_WRAP_T]) gl.texParameteri(gl.TEXTURE_2D, wrap, gl.CLAMP_TO_EDGE);
+  const set = (name: number, value: number): void => gl.texParameteri(gl.TEXTURE_2D, name, value);
+  for (const filter of [gl.TEXTURE_MIN_FILTER, gl.TEXTURE_MAG_FILTER]) set(filter, gl.LINEAR);
+  for (const wrap of [gl.TEXTURE_WRAP_S, gl.TEXTURE_WRAP_T]) set(wrap, gl.CLAMP_TO_EDGE);
   return texture;
 }
 

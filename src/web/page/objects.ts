@@ -129,7 +129,7 @@ function addCar(mesh: Mesh): void {
     }
   }
   const scale = 0.62;
-  mesh.vertices = mesh.vertices.map((value, i) => (i % 11 < 3 ? scale * (value - (i % 11 === 1 ? 0.66 : 0)) : value));
+  mesh.vertices = mesh.vertices.map((v, i) => (i % 11 < 3 ? scale * (v - (i % 11 === 1 ? 0.66 : 0)) : v));
 }
 
 const addBall = (mesh: Mesh): void => addEllipsoid(mesh, [96, 48], part.lut, [0, 0, 0], [1, 1, 1]);

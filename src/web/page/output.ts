@@ -1,5 +1,5 @@
-// The output window: an object lit through the LUT, in WebGL 2. Drag turns it, the wheel zooms, Shift or the right button
-// moves the light. `data-frame` of the canvas counts the pictures that are done.
+// The output window: an object lit through the LUT, in WebGL 2. Drag turns it, the wheel zooms, Shift or the right
+// button moves the light. `data-frame` of the canvas counts the pictures that are done.
 
 import type { BakedLut } from "./api";
 import { clamped, direction, Eye, listen } from "./camera";
@@ -19,7 +19,7 @@ export interface OutputSettings {
   background: "auto" | "room" | "board";
   /** Where on the second axis of a LUT over a parameter, from 0 to 1; null: it runs over the surface. */
   row: number | null;
-  /** An angle in degrees: the whole window shows the LUT's colour there, without light or exposure. null: the object. */
+  /** An angle in degrees: the whole window shows the LUT's colour there, as it is. null: the object. */
   flat: number | null;
 }
 
@@ -93,9 +93,9 @@ export class OutputView {
     cancelAnimationFrame(this.request);
     this.request = 0;
     const { canvas, gl } = this;
-    const [width, height] = [canvas.clientWidth, canvas.clientHeight].map((side) => Math.round(side * scaleOfScreen()) || 1);
-    if (canvas.width !== width) canvas.width = width!;
-    if (canvas.height !== height) canvas.height = height!;
+    const width = Math.round(canvas.clientWidth * scaleOfScreen()) || 1;
+    const height = Math.round(canvas.clientHeight * scaleOfScreen()) || 1;
+    if (canvas.width !== width || canvas.height !== height) [canvas.width, canvas.height] = [width, height];
     if (!gl) this.sayThatThereIsNone();
     else if (!gl.isContextLost()) this.drawWith(gl);
     canvas.dataset.frame = String(++this.frames);
@@ -105,9 +105,9 @@ export class OutputView {
   readPixel(x: number, y: number): number[] {
     this.drawNow();
     const pixel = new Uint8Array(4);
-    const [column, row] = [x, y].map((at) => Math.floor(at * scaleOfScreen()));
+    const [column, row] = [x, y].map((at) => Math.floor(at * scaleOfScreen())) as [number, number];
     const { gl } = this;
-    gl?.readPixels(column!, this.canvas.height - 1 - row!, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, pixel);
+    gl?.readPixels(column, this.canvas.height - 1 - row, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, pixel);
     return [...pixel];
   }
 
@@ -197,7 +197,7 @@ export class OutputView {
     const object = shownObject(name);
     const [c, s] = [Math.cos((this.turn * Math.PI) / 180), Math.sin((this.turn * Math.PI) / 180)];
     const isBall = name === "sphere" || name === "bubble"; // looks the same from all sides: the room turns instead
-    const isBoard = settings.background === "auto" ? name === "bubble" && this.through : settings.background === "board";
+    const isThrough = name === "bubble" && this.through && settings.background === "auto";
     return {
       view: eye.matrix(),
       camera: [...eye.right.map((v) => v * eye.half[0]), ...eye.up.map((v) => v * eye.half[1]), ...eye.forward],
@@ -213,7 +213,7 @@ export class OutputView {
       roughness: settings.roughness,
       brightness: 2 ** settings.exposure,
       gain: (this.described?.gain ?? 1) * (name === "bubble" ? 2 : name === "wing" ? 1.5 : 1),
-      board: isBoard ? 1 : 0,
+      board: isThrough || settings.background === "board" ? 1 : 0,
       toGamut: this.gl?.drawingBufferColorSpace === "display-p3" ? toDisplayP3 : identity,
       marker: [...eye.onPicture(this.lightAt()), 20 * scaleOfScreen()],
       strength: this.lightAt()[2] < -0.1 ? 0.25 : 0.6,

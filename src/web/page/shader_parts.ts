@@ -34,7 +34,7 @@ vec3 scaleAt(vec2 q, out float edge) {
   float tip = 0.55 * (1.0 - side * side) * (0.8 + 0.4 * hash(vec2(floor(xBefore), row - 1.0)));
   bool isBefore = up < tip;
   vec2 id = isBefore ? vec2(floor(xBefore), row - 1.0) : vec2(floor(x), row);
-  edge = isBefore ? 1.0 - 0.35 * smoothstep(0.8, 1.0, abs(across_)) : 0.45 + 0.55 * smoothstep(tip - 0.02, tip + 0.35, up);
+  edge = isBefore ? 1.0 - 0.35 * smoothstep(0.8, 1.0, abs(across_)) : 0.45 + 0.55 * smoothstep(tip, tip + 0.35, up);
   return vec3(hash(id) - 0.5, hash(id + 71.0) - 0.5, hash(id + 139.0));
 }
 void ownPart(inout Surface s) {
@@ -114,6 +114,7 @@ void ownPart(inout Surface s) {
   s.across = normalize(away - dot(away, s.N) * s.N);
 }`;
 
+const own: Record<string, string> = { WING: wing, ELYTRA: elytra, CAR: car, DISC: disc };
 /** The functions plain() and ownPart() for an object, in capitals. */
 export const partsOf = (name: string): string =>
-  common + (new Map([["WING", wing], ["ELYTRA", elytra], ["CAR", car], ["DISC", disc]]).get(name) ?? "void ownPart(inout Surface s) {}");
+  common + (own[name] ?? "void ownPart(inout Surface s) {}");

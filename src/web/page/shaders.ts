@@ -2,12 +2,11 @@
 
 import { partsOf } from "./shader_parts";
 
-/** Room and light. The room is a formula: lights are rectangles far away whose edges a rough surface makes wider, so that
- *  nothing has to be filtered beforehand. Luminances are relative to the brightest light; all is chosen by eye. */
+/** Room and light. Lights are rectangles far away whose edges a rough surface makes wider, so that nothing has to be
+ *  filtered beforehand. Luminances are relative to the brightest light; all is chosen by eye. */
 const room = `
 uniform vec3 eye, light;      // light: the direction to it
-uniform float environment;    // 1: the room is lit
-uniform float brightness, floorAt, board;
+uniform float environment, brightness, floorAt, board;   // environment: 1 if the room is lit
 uniform mat3 camera;          // right and up, as long as half the picture, and forward
 uniform vec2 shadeSize;       // of the object's shade on the floor
 uniform mat2 roomTurn, shadeTurn;
@@ -41,7 +40,8 @@ float studio(vec3 from, vec3 way, float blur) {
   way.xz = roomTurn * way.xz;
   float sky = wall(way);
   sky += softbox(way * overhead, vec3(0.75, 0.42, 0.95), width) + softbox(way * key, vec3(0.4, 0.3, 1.0), width);
-  sky += softbox(way * rightStrip, vec3(0.16, 0.55, 0.75), width) + softbox(way * leftStrip, vec3(0.12, 0.7, 0.65), width);
+  sky += softbox(way * rightStrip, vec3(0.16, 0.55, 0.75), width);
+  sky += softbox(way * leftStrip, vec3(0.12, 0.7, 0.65), width);
   return environment * mix(floorSeen(from, way), sky, ramp(vec2(way.y), vec2(max(width, 0.03))).x);
 }
 /** What a white matte surface shows. */
@@ -87,12 +87,11 @@ float coordinate(int axis, vec2 range, Seen s) {
   if (axis == 6) return nacre_parameter(s.roughness, range.x, range.y);
   return fixedRow < 0.0 ? s.row : fixedRow;
 }
-vec2 placeOf(Seen s) { return vec2(coordinate(AXIS_X, ranges.xy, s), coordinate(AXIS_Y, ranges.zw, s)); }
-vec3 mirrored(Seen s) { vec2 p = placeOf(s); return toRec709 * nacre_fetch(lut, p.x, p.y); }
-vec3 letThrough(Seen s, vec3 r) {
-  vec2 p = placeOf(s);
-  return hasThrough > 0.5 ? max(toRec709 * nacre_fetch(lutThrough, p.x, p.y), 0.0) : max(1.0 - r, 0.0);
-}`;
+vec3 fetched(highp sampler2D of, Seen s) {
+  return toRec709 * nacre_fetch(of, coordinate(AXIS_X, ranges.xy, s), coordinate(AXIS_Y, ranges.zw, s));
+}
+vec3 mirrored(Seen s) { return fetched(lut, s); }
+vec3 letThrough(Seen s, vec3 r) { return max(hasThrough > 0.5 ? fetched(lutThrough, s) : 1.0 - r, 0.0); }`;
 
 const surface = `
 uniform mat3 turn;            // of the object
@@ -104,15 +103,12 @@ out vec4 colour;
 struct Surface { vec3 N, albedo, across; float share, f0, roughness, shade, row; };`;
 
 const lit = `
-float blurOf(float r) { return 0.9 * r * r; }
-
 /** luts/README.md's punctual light with what the LUT, and what clear coats mirror. */
 vec3 ofLight(Surface s, vec3 V, Seen seen) {
   float nl = clamp(dot(s.N, light), 0.0, 1.0), nv = clamp(dot(s.N, V), 1e-3, 1.0);
   vec3 h = normalize(light + V);
-  float nh = clamp(dot(s.N, h), 0.0, 1.0);
   float a = max(s.roughness * s.roughness, 0.03), a2 = a * a;    // the light is a ball of some degrees
-  float t = nh * nh * (a2 - 1.0) + 1.0;
+  float nh = clamp(dot(s.N, h), 0.0, 1.0), t = nh * nh * (a2 - 1.0) + 1.0;
   float smith = nl * sqrt(nv * nv * (1.0 - a2) + a2) + nv * sqrt(nl * nl * (1.0 - a2) + a2);
   seen.cosine = dot(V, h);
   seen.roughness = 0.0;
@@ -142,24 +138,24 @@ vec3 bubble(Surface s, vec3 V) {
   far.row = 0.5 - 0.5 * leaves.y;
   vec3 r = max(mirrored(front), 0.0), rFar = max(mirrored(far), 0.0);
   vec3 both = letThrough(front, r) * letThrough(far, rFar);
-  float blur = blurOf(s.roughness);
+  float blur = 0.9 * s.roughness * s.roughness;
   vec3 seen = r * studio(at, reflect(-V, s.N), blur) + both * rFar * studio(leaves, reflect(-V, leaves), blur);
   seen += ofLight(s, V, front);
   s.N = -leaves;
   seen += both * ofLight(s, V, far);
-  return gain * seen + both / max(1.0 - r * rFar, 1e-3) * backdrop(-V);
+  return brightness * gain * seen + both / max(1.0 - r * rFar, 1e-3) * backdrop(-V);
 }
 vec3 opaque(Surface s, vec3 V) {
   Seen seen = Seen(dot(s.N, V), 0.0, 0.0, -1.0, s.row, s.roughness);
-  float sky = studio(at, reflect(-V, s.N), blurOf(s.roughness));
+  float sky = studio(at, reflect(-V, s.N), 0.9 * s.roughness * s.roughness);
   float away = 1.0 - clamp(dot(s.N, V), 0.0, 1.0);
   float f = s.f0 + (1.0 - s.f0) * away * away * away * away * away * step(1e-4, s.f0) * (1.0 - s.roughness);
   vec3 rest = s.albedo * irradiance(s.N) + f * (1.0 - s.share) * sky;
   s.f0 *= 1.0 - s.share;
 #if QUANTITY == 0
-  return s.shade * (gain * (s.share * mirrored(seen) * sky + ofLight(s, V, seen)) + rest);
+  return brightness * s.shade * (gain * (s.share * mirrored(seen) * sky + ofLight(s, V, seen)) + rest);
 #else
-  return s.shade * (s.share * (gain * ofLamps(s, V, seen) + (QUANTITY == 1 ? 0.09 * sky : 0.0)) + rest);
+  return brightness * s.shade * (s.share * (gain * ofLamps(s, V, seen) + (QUANTITY == 1 ? 0.09 * sky : 0.0)) + rest);
 #endif
 }
 void main() {
@@ -172,9 +168,9 @@ void main() {
   if (part > 2 && part < 7) ownPart(s);
   else if (part > 0) plain(s, part);
 #ifdef BUBBLE
-  colour = vec4(shown(brightness * bubble(s, V)), 1.0);
+  colour = vec4(shown(bubble(s, V)), 1.0);
 #else
-  colour = vec4(shown(brightness * opaque(s, V)), 1.0);
+  colour = vec4(shown(opaque(s, V)), 1.0);
 #endif
 }`;
 

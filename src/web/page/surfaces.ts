@@ -2,7 +2,7 @@
 
 export type Point = [number, number, number];
 
-/** Eleven numbers for each vertex: position, normal, part, and four coordinates of its own that the shader draws with. */
+/** Eleven numbers for each vertex: position, normal, part, and four coordinates of its own for the shader. */
 export interface Mesh {
   vertices: number[];
   indices: number[];
@@ -16,7 +16,7 @@ const minus = (a: Point, b: Point): Point => [a[0] - b[0], a[1] - b[1], a[2] - b
 const unit = (a: Point): Point => a.map((value) => value / (Math.hypot(...a) || 1)) as Point;
 const cross = ([a, b, c]: Point, [x, y, z]: Point): Point => [b * z - c * y, c * x - a * z, a * y - b * x];
 
-/** The surface that `at` draws over [0, 1] x [0, 1]. The shader turns normals to the eye, so either side is the front. */
+/** The surface that `at` draws over [0, 1] x [0, 1]. The shader turns normals to the eye: either side is the front. */
 export function addSurface(
   mesh: Mesh,
   [columns, rows]: [number, number],
@@ -40,7 +40,8 @@ export function addSurface(
   }
 }
 
-export function addEllipsoid(mesh: Mesh, grid: [number, number], kind: number, [x, y, z]: Point, [a, b, c]: Point): void {
+type Grid = [number, number];
+export function addEllipsoid(mesh: Mesh, grid: Grid, kind: number, [x, y, z]: Point, [a, b, c]: Point): void {
   addSurface(mesh, grid, kind, (u, v) => {
     const [around, down] = [2 * Math.PI * u, Math.PI * v];
     const out = Math.sin(down);
@@ -48,7 +49,7 @@ export function addEllipsoid(mesh: Mesh, grid: [number, number], kind: number, [
   });
 }
 
-/** A smooth curve (natural cubic spline) through y at rising x: its curvature has no steps, which mirrors would show. */
+/** A natural cubic spline through y at rising x: its curvature has no steps, which mirrors would show. */
 export function spline(x: number[], y: number[]): (at: number) => number {
   const [bend, ratio] = [x.map(() => 0), x.map(() => 0)];
   for (let i = 1; i < x.length - 1; ++i) {
@@ -70,7 +71,7 @@ export function spline(x: number[], y: number[]): (at: number) => number {
 /** A smooth curve through points, over [0, 1] by their distances. */
 export function path(points: Point[]): (t: number) => Point {
   const lengths = [0];
-  for (let i = 1; i < points.length; ++i) lengths.push(lengths[i - 1]! + Math.hypot(...minus(points[i]!, points[i - 1]!)));
+  for (const [i, point] of points.slice(1).entries()) lengths.push(lengths[i]! + Math.hypot(...minus(point, points[i]!)));
   const at = lengths.map((length) => length / lengths.at(-1)!);
   const axes = [0, 1, 2].map((axis) => spline(at, points.map((point) => point[axis]!)));
   return (t) => axes.map((axis) => axis(t)) as Point;

@@ -1,6 +1,7 @@
 // From where the object is seen and lit, and how pointer, wheel and keys change that.
 
 import type { ShownObject } from "./objects";
+import type { OutputView } from "./output";
 import { dot, type Point } from "./surfaces";
 
 const degree = Math.PI / 180;
@@ -44,16 +45,8 @@ export class Eye {
   }
 }
 
-/** What the pointer and the keys change; degrees to the right and up. */
-export interface Handles {
-  turned(right: number, up: number): void;
-  lightMoved(right: number, up: number): void;
-  zoomed(factor: number): void;
-  reset(): void;
-  /** Whether the light's marker is there, in CSS pixels from the upper left. */
-  isOnLight(x: number, y: number): boolean;
-}
-
+/** What the pointer and the keys change. */
+type Handles = Pick<OutputView, "turned" | "lightMoved" | "zoomed" | "reset" | "isOnLight">;
 const degreesPerPixel = 0.4;
 
 function listenToPointers(canvas: HTMLCanvasElement, handles: Handles): void {

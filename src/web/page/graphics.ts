@@ -72,15 +72,13 @@ export function uploadLut(gl: WebGL2RenderingContext, unit: number, { width, hei
   return texture;
 }
 
-/** How shaders.ts finds the place on an axis; 7 is a parameter. */
-function axisKind(axis: Axis | undefined): number {
-  const kinds = ["sqrt_cos_theta", "cos_theta", "theta_deg", "grating_u", "cos_scatter", "azimuth_deg", "roughness"];
-  return axis && kinds.includes(axis.name) ? kinds.indexOf(axis.name) : 7;
-}
+/** Axes as coordinate() in shaders.ts knows them; 7 is any other parameter. */
+const kinds = ["sqrt_cos_theta", "cos_theta", "theta_deg", "grating_u", "cos_scatter", "azimuth_deg", "roughness"];
+const kindOf = (axis?: Axis): number => (kinds.indexOf(axis?.name ?? "") + 8) % 8;
 
 /** What the shaders have to know of a LUT. `gain` makes dark films and gratings as bright as other materials. */
 export function describe(lut: BakedLut, hasThrough: boolean): { uniforms: Uniforms; gain: number; defines: string } {
-  const [x, y] = [axisKind(lut.x), axisKind(lut.y)];
+  const [x, y] = [kindOf(lut.x), kindOf(lut.y)];
   const quantity = x === 3 || y === 3 ? 1 : x === 4 || y === 4 ? 2 : 0;
   const most = Math.max(lut.texels.reduce((a, b) => Math.max(a, b), 0), 1e-6);
   const gain = quantity === 1 ? (y === 5 ? 0.04 : 2.0) / most : Math.max(1, (quantity === 2 ? 4 : 0.4) / most);

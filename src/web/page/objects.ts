@@ -114,8 +114,8 @@ function carBody(u: number, v: number): Point {
 
 function addCar(mesh: Mesh): void {
   addSurface(mesh, [128, 88], part.car, carBody, (_u, _v, point) => [...point, 0]);
-  const rings = [[0.33, 0.6, part.matte], [0.33, 0.91, part.matte], [0.315, 0.95, part.matte], [0.265, 0.95, part.metal],
-    [0.25, 0.93, part.gloss], [0, 0.92, part.gloss]] as const;
+  const rings = [[0.33, 0.6, part.matte], [0.33, 0.91, part.matte], [0.315, 0.95, part.matte],
+    [0.265, 0.95, part.metal], [0.25, 0.93, part.gloss], [0, 0.92, part.gloss]] as const;
   for (const [x, side] of [[-1.32, -1], [-1.32, 1], [1.32, -1], [1.32, 1]] as const) {
     const place = ([a, b]: [number, number], depth: number): Point => [x + a, 0.33 + b, side * depth];
     for (const [i, [r, z, kind]] of rings.slice(0, -1).entries()) {

@@ -111,6 +111,7 @@ export class OutputView {
     return [...pixel];
   }
 
+  /** By degrees. */
   turned(right: number, up: number): void {
     this.turn = (this.turn + right) % 360;
     this.pitch = clamped(this.pitch - up, shownObject(this.name).shade[0] > 0.01 ? -2 : -75, 85); // not below the floor
@@ -122,7 +123,7 @@ export class OutputView {
     this.draw();
   }
 
-  /** The page hears of it by the event "lightmoved", whose detail is the new light. */
+  /** By degrees. The page hears of it by the event "lightmoved", whose detail is the new light. */
   lightMoved(right: number, up: number): void {
     const [around, height] = this.settings.light;
     const light: [number, number] = [((around + right + 540) % 360) - 180, clamped(height + up, -10, 90)];
@@ -134,6 +135,7 @@ export class OutputView {
     this.setObject(this.name);
   }
 
+  /** Whether the light's marker is there, in CSS pixels from the upper left. */
   isOnLight(x: number, y: number): boolean {
     const [right, up] = this.eye().onPicture(this.lightAt());
     const { clientWidth: width, clientHeight: height } = this.canvas;
@@ -212,7 +214,7 @@ export class OutputView {
       fixedRow: settings.row ?? (settings.flat === null ? -1 : 0.5),
       roughness: settings.roughness,
       brightness: 2 ** settings.exposure,
-      gain: (this.described?.gain ?? 1) * (name === "bubble" ? 2 : name === "wing" ? 1.5 : 1),
+      gain: (this.described?.gain ?? 1) * (name === "bubble" ? 3 : name === "wing" ? 1.5 : 1),
       board: isThrough || settings.background === "board" ? 1 : 0,
       toGamut: this.gl?.drawingBufferColorSpace === "display-p3" ? toDisplayP3 : identity,
       marker: [...eye.onPicture(this.lightAt()), 20 * scaleOfScreen()],

@@ -69,7 +69,7 @@ vec3 shown(vec3 c) {
   return encoded(most > 0.8 ? mix(c * rolled / most, vec3(rolled), 1.0 - exp(0.09 * (0.8 - most))) : c);
 }`;
 
-/** AXIS_X and AXIS_Y are of axisKind() in graphics.ts; QUANTITY is 0 for mirrors, 1 for gratings, 2 for scattering. */
+/** AXIS_X and AXIS_Y are kinds of axes in graphics.ts; QUANTITY is 0 for mirrors, 1 for gratings, 2 for scattering. */
 const lutAxes = `
 uniform highp sampler2D lut, lutThrough;
 uniform float hasThrough;
@@ -96,9 +96,7 @@ vec3 letThrough(Seen s, vec3 r) { return max(hasThrough > 0.5 ? fetched(lutThrou
 const surface = `
 uniform mat3 turn;            // of the object
 uniform float roughness, gain;
-in vec3 at, turnedNormal, still;
-flat in float kind;
-in vec4 own;
+in vec3 at, turnedNormal, still; flat in float kind; in vec4 own;
 out vec4 colour;
 struct Surface { vec3 N, albedo, across; float share, f0, roughness, shade, row; };`;
 
@@ -132,7 +130,8 @@ vec3 ofLamps(Surface s, vec3 V, Seen seen) {   // as strong as the lights of the
   return environment * sum + ofLamp(s, V, seen, light, 1.0);
 }
 /** Front and back of a ball, and what is behind it: the way through thin walls is straight. */
-vec3 bubble(Surface s, vec3 V) {
+#ifdef BUBBLE
+vec3 seenOf(Surface s, vec3 V) {
   Seen front = Seen(dot(s.N, V), 0.0, 0.0, -1.0, 0.5 - 0.5 * at.y, s.roughness), far = front;
   vec3 leaves = at - 2.0 * front.cosine * V;
   far.row = 0.5 - 0.5 * leaves.y;
@@ -145,7 +144,8 @@ vec3 bubble(Surface s, vec3 V) {
   seen += both * ofLight(s, V, far);
   return brightness * gain * seen + both / max(1.0 - r * rFar, 1e-3) * backdrop(-V);
 }
-vec3 opaque(Surface s, vec3 V) {
+#else
+vec3 seenOf(Surface s, vec3 V) {
   Seen seen = Seen(dot(s.N, V), 0.0, 0.0, -1.0, s.row, s.roughness);
   float sky = studio(at, reflect(-V, s.N), 0.9 * s.roughness * s.roughness);
   float away = 1.0 - clamp(dot(s.N, V), 0.0, 1.0);
@@ -158,6 +158,7 @@ vec3 opaque(Surface s, vec3 V) {
   return brightness * s.shade * (s.share * (gain * ofLamps(s, V, seen) + (QUANTITY == 1 ? 0.09 * sky : 0.0)) + rest);
 #endif
 }
+#endif
 void main() {
   vec3 V = normalize(eye - at), N = normalize(turnedNormal);
   if (dot(N, V) < 0.0) N = -N;
@@ -167,23 +168,15 @@ void main() {
   int part = int(kind + 0.5);
   if (part > 2 && part < 7) ownPart(s);
   else if (part > 0) plain(s, part);
-#ifdef BUBBLE
-  colour = vec4(shown(bubble(s, V)), 1.0);
-#else
-  colour = vec4(shown(opaque(s, V)), 1.0);
-#endif
+  colour = vec4(shown(seenOf(s, V)), 1.0);
 }`;
 
 const vertexOfObject = `
 uniform mat4 view;
 uniform mat3 turn;
-layout(location = 0) in vec3 position;
-layout(location = 1) in vec3 normal;
-layout(location = 2) in float part;
-layout(location = 3) in vec4 local;
-out vec3 at, turnedNormal, still;
-flat out float kind;
-out vec4 own;
+layout(location = 0) in vec3 position; layout(location = 1) in vec3 normal;
+layout(location = 2) in float part; layout(location = 3) in vec4 local;
+out vec3 at, turnedNormal, still; flat out float kind; out vec4 own;
 void main() {
   still = position, at = turn * position, turnedNormal = turn * normal, kind = part, own = local;
   gl_Position = view * vec4(at, 1.0);

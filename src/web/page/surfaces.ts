@@ -71,7 +71,7 @@ export function spline(x: number[], y: number[]): (at: number) => number {
 /** A smooth curve through points, over [0, 1] by their distances. */
 export function path(points: Point[]): (t: number) => Point {
   const lengths = [0];
-  for (const [i, point] of points.slice(1).entries()) lengths.push(lengths[i]! + Math.hypot(...minus(point, points[i]!)));
+  for (const [i, next] of points.slice(1).entries()) lengths.push(lengths[i]! + Math.hypot(...minus(next, points[i]!)));
   const at = lengths.map((length) => length / lengths.at(-1)!);
   const axes = [0, 1, 2].map((axis) => spline(at, points.map((point) => point[axis]!)));
   return (t) => axes.map((axis) => axis(t)) as Point;

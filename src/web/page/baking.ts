@@ -3,11 +3,7 @@
 import type { AsyncEngine, BakedLut } from "./api";
 
 /** The LUT that is shown, and the other of a pair if it is one. */
-export interface BakeRequest {
-  text: string;
-  luts: string[];
-  startMs: number;
-}
+export type BakeRequest = { text: string; luts: string[]; startMs: number };
 
 // An exact bake that is out of date may go on for so long before the worker is ended.
 const patienceMs = 100;
@@ -54,7 +50,7 @@ export class WorkerBakes {
 
   private async bake({ text, luts }: BakeRequest, isCoarse: boolean): Promise<BakedLut[]> {
     const opening = this.worker.open(text);
-    const baking = Promise.all(luts.map((lut) => this.worker.bake(lut, isCoarse)));
-    return (await Promise.all([baking, opening]))[0];
+    const baking = luts.map((lut) => this.worker.bake(lut, isCoarse));
+    return (await Promise.all([Promise.all(baking), opening]))[0];
   }
 }

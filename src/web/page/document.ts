@@ -38,13 +38,9 @@ export class SceneDocument {
     this.replace(withValues(this.text, this.opened.values, changes, table), gesture);
   }
 
-  addItem(array: string, literal: string): void {
-    this.replace(withItem(this.text, this.opened.values, array, literal));
-  }
-
-  remove(path: string): void {
-    this.replace(without(this.text, this.opened.values, path));
-  }
+  readonly addItem = (array: string, item: string): void =>
+    this.replace(withItem(this.text, this.opened.values, array, item));
+  readonly remove = (path: string): void => this.replace(without(this.text, this.opened.values, path));
 
   /** Sets some keys of a table and removes others, as one step. */
   exchange(table: string, changes: Record<string, TomlValue>, removed: string[], gesture: string): void {
@@ -53,14 +49,9 @@ export class SceneDocument {
     this.replace(text, gesture);
   }
 
-  has(path: string): boolean {
-    return this.opened.values[path] !== undefined;
-  }
-
+  readonly has = (path: string): boolean => this.opened.values[path] !== undefined;
   /** A number, text or truth value; nothing for tables and arrays. */
-  value(path: string): number | string | boolean | undefined {
-    return this.opened.values[path]?.value;
-  }
+  readonly value = (path: string) => this.opened.values[path]?.value;
 
   /** What the light of the scene is, to compare. */
   get light(): string {
@@ -69,9 +60,7 @@ export class SceneDocument {
   }
 
   /** Whether there is a step back (-1) or forth (1). */
-  canStep(direction: number): boolean {
-    return this.steps[this.at + direction] !== undefined;
-  }
+  readonly canStep = (direction: number): boolean => this.steps[this.at + direction] !== undefined;
 
   step(direction: number): void {
     if (!this.canStep(direction)) return;

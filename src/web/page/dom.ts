@@ -68,15 +68,9 @@ export function paint(canvas: HTMLCanvasElement, width: number, height: number, 
   context.putImageData(image, 0, 0);
 }
 
-export interface NumberSpec {
-  label: string;
-  unit?: string;
-  from: number;
-  to: number;
-  step: number;
-  /** Equal ratios take equal ways of the slider. `from` is above 0 then. */
-  isLogarithmic?: boolean;
-}
+/** Logarithmic: equal ratios take equal ways of the slider; `from` is above 0 then. */
+type Range = { from: number; to: number; step: number };
+export type NumberSpec = Range & { label: string; unit?: string; isLogarithmic?: boolean };
 
 const sliderSteps = 1000;
 let gestures = 0;
@@ -89,10 +83,7 @@ export class NumberControl {
   private gesture = ++gestures;
   private isTyping = false;
 
-  constructor(
-    private readonly spec: NumberSpec,
-    private readonly change: (value: number, gesture: string) => void,
-  ) {
+  constructor(private readonly spec: NumberSpec, private readonly change: (value: number, gesture: string) => void) {
     const { label, unit = "", from, to, step, isLogarithmic } = spec;
     const range = isLogarithmic ? { min: 0, max: sliderSteps, step: 1 } : { min: from, max: to, step };
     const rest = (): number => (this.gesture = ++gestures);

@@ -55,9 +55,8 @@ export class SearchPanel {
     const { doc, worker, material } = this.page;
     this.mark(true);
     const start = performance.now();
-    const step = (): void => {
-      byId("search-time").textContent = `${short((performance.now() - start) / 1000, 2)} s`;
-    };
+    const seconds = (): string => short((performance.now() - start) / 1000, 2);
+    const step = (): void => void (byId("search-time").textContent = `${seconds()} s`);
     try {
       const opening = worker.open(doc.text);
       const [found] = await Promise.all([worker.findStructure(material!.name, mechanism, step), opening]);

@@ -101,12 +101,7 @@ export class FilesPanel {
   }
 
   private async copy(text: string, what: string): Promise<void> {
-    try {
-      await navigator.clipboard.writeText(text);
-      this.page.say(`${what} is copied`);
-    } catch {
-      this.page.say(`The browser does not let the page copy; ${what} is downloaded instead`);
-      download(`${what}.txt`, text, "text/plain");
-    }
+    await navigator.clipboard.writeText(text);
+    this.page.say(`${what} is copied`);
   }
 }

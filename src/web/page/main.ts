@@ -28,8 +28,6 @@ export class NacrePage {
   material: Material | undefined;
   pick = 0;
   baked: BakedLut | undefined;
-  /** Of a pair: what is seen through. */
-  transmitted: BakedLut | undefined;
   /** Whether `baked` is a quick answer. */
   isCoarse = false;
   /** From the change of the text to the picture, without the wait for the frame; of the worker, to its exact answer. */
@@ -57,7 +55,7 @@ export class NacrePage {
     this.bakes = new WorkerBakes(
       worker,
       (request, baked, isCoarse) => this.answered(request, baked, isCoarse),
-      (message) => this.failed(message),
+      (message) => [document.body.classList.remove("busy"), this.say(message)],
       () => !this.search.isSearching,
     );
     new FilesPanel(this);
@@ -66,8 +64,7 @@ export class NacrePage {
 
   /** Another scene, which is shown on an object that its name calls for. */
   open(name: string, text: string): void {
-    this.lut = undefined;
-    this.baked = undefined;
+    this.lut = this.baked = undefined;
     this.pick = 0;
     this.mechanisms.reset();
     this.output.chooseFor(name);
@@ -88,9 +85,7 @@ export class NacrePage {
   }
 
   /** Says something in the status line, to screen readers too. */
-  say(message: string): void {
-    byId("status").textContent = message;
-  }
+  readonly say = (message: string): void => void (byId("status").textContent = message);
 
   /** Runs when the worker has nothing more urgent to do, one after the other. Nothing if it was cancelled or failed. */
   inSpareTime<Result>(work: (worker: AsyncEngine, lut: string) => Promise<Result>): Promise<Result | undefined> {
@@ -132,7 +127,7 @@ export class NacrePage {
     if (opened.mistakes.length === 0) this.frame = requestAnimationFrame(() => this.update());
     clearTimeout(this.addressTimer);
     const keep = async (): Promise<void> => history.replaceState(null, "", `#${await inAddress(this.doc.text)}`);
-    this.addressTimer = window.setTimeout(() => void keep(), addressMs);
+    this.addressTimer = window.setTimeout(keep, addressMs);
   }
 
   private update(): void {
@@ -145,29 +140,23 @@ export class NacrePage {
     const seconds = isKnown ? Object.values(this.baked!.seconds).reduce((sum, part) => sum + part, 0) : 0;
     this.isBakedHere = ["palette", "film"].includes(this.material.mechanism) && !y && seconds < frameSeconds;
     const request = { text: this.doc.text, luts, startMs };
-    if (!this.isBakedHere) document.body.classList.add("busy");
+    document.body.classList.toggle("busy", !this.isBakedHere);
     if (!this.isBakedHere && this.isSpare) this.worker.cancel();
     this.bakes.request(this.isBakedHere ? undefined : request);
     if (!this.isBakedHere) return;
     try {
       this.answered(request, luts.map((lut) => this.here.bake(lut)), false);
     } catch (failure) {
-      this.failed((failure as Error).message);
+      this.say((failure as Error).message);
     }
-  }
-
-  private failed(message: string): void {
-    document.body.classList.remove("busy");
-    this.say(message);
   }
 
   private answered({ luts, startMs }: BakeRequest, [first, second]: BakedLut[], isCoarse: boolean): void {
     if (this.lut?.name !== luts[0]) return;
     const isFirstThrough = first!.quantity === "transmittance" && second !== undefined;
     this.baked = first;
-    this.transmitted = isFirstThrough ? first : second;
     this.isCoarse = isCoarse;
-    this.view.setLut((isFirstThrough ? second : first) ?? null, this.transmitted);
+    this.view.setLut((isFirstThrough ? second : first)!, isFirstThrough ? first : second);
     this.output.showAxis(first!.y);
     for (const panel of this.ofLut) panel.show();
     this.view.drawNow();

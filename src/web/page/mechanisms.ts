@@ -5,10 +5,7 @@ import { materialPath } from "./document";
 import { byId, el, NumberControl, type NumberSpec } from "./dom";
 import type { NacrePage } from "./main";
 
-interface Row {
-  element: Node;
-  show(): void;
-}
+type Row = { element: Node; show(): void };
 
 // Key, label, range, step, and what nacre takes if the scene does not say it.
 const facets = ["tilt_deg|Tilt|0|60|0.5|0", "roughness|Roughness|0|1|0.01|0"];
@@ -43,7 +40,7 @@ const starts: Record<string, string> = {
     { angle_deg = 0, peak_nm = 460, width_nm = 70, height = 1.0 },
     { angle_deg = 40, peak_nm = 395, width_nm = 60, height = 0.7 },\n]`,
   film: 'index = "water"\nthickness_nm = 400\nsubstrate = 1',
-  stack: `layers = [\n    { repeat = 8, layers = [ ${period} ] },\n]\nsubstrate = "melanin"`,
+  stack: `layers = [\n    { repeat = 8, layers = [ ${period} ] },\n]\nsubstrate = 1.5`,
   grating: 'period_nm = 1600\ngrooves = 40\ndepth_nm = 175\nland = 0.69\ncoat = "al"',
   crystal: 'sphere = 1.46\nmedium = "water"\ndiameter_nm = 260\nplanes = 40\nsubstrate = 1.43',
   scatter: `model = "quasi_ordered"\nparticle = 1\nmedium = "keratin"\nradius_nm = 75\nradius_spread = 0.08
@@ -154,7 +151,7 @@ export class MechanismsPanel {
     return indices[end] ? [this.indexRow(path, `${layer} ${indices[end]}`.trim())] : [];
   }
 
-  private numberRow(path: string, spec: NumberSpec, standard: number | undefined): Row {
+  private numberRow(path: string, spec: NumberSpec, standard?: number): Row {
     const { doc } = this.page;
     const control = new NumberControl(spec, (value, gesture) => doc.set({ [path]: value }, gesture));
     const show = (): void => control.show((doc.value(path) as number | undefined) ?? standard, doc.has(path));

@@ -8,9 +8,9 @@ const objects = ["sphere", "wing", "elytra", "car", "bubble", "disc"] as const;
 type ObjectName = (typeof objects)[number];
 
 // The object that shows a scene best, by words in the scene's name.
-const suited: Record<string, ObjectName> = {
-  ...{ "morpho|feather": "wing", beetle: "elytra", "disc|foil|grating": "disc" },
-  ...{ "soap|window|film$": "bubble", "coating|metal": "car" },
+const suited: Partial<Record<ObjectName, RegExp>> = {
+  ...{ wing: /morpho|feather/, elytra: /beetle/, disc: /disc|foil|grating/ },
+  ...{ bubble: /soap|window|film$/, car: /coating|metal/ },
 };
 
 export class OutputPanel {
@@ -47,11 +47,11 @@ export class OutputPanel {
     };
     byId("output-canvas").addEventListener("lightmoved", (event) => show((event as CustomEvent<number[]>).detail));
     show(this.light);
-    byId("over-surface").addEventListener("click", () => this.overSurface());
+    byId("over-surface").addEventListener("click", () => view.set({ row: null }));
   }
 
   chooseFor(scene: string): void {
-    this.choose(Object.entries(suited).find(([words]) => new RegExp(words).test(scene))?.[1] ?? "sphere");
+    this.choose(objects.find((name) => suited[name]?.test(scene)) ?? "sphere");
   }
 
   /** A second axis runs over the surface until its slider is moved. */
@@ -68,11 +68,6 @@ export class OutputPanel {
       this.view.set({ row: (value - y.from) / (y.to - y.from) });
     });
     byId("row").prepend(this.row.element);
-    this.overSurface();
-  }
-
-  private overSurface(): void {
-    this.row?.show(undefined, false);
     this.view.set({ row: null });
   }
 

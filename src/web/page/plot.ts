@@ -1,28 +1,14 @@
 // Two axes, a field of colours behind them and squares to drag: the plane of peak and angle, and the palette.
 
-import { byId, clamp, el, set, svg } from "./dom";
+import { byId, clamp, el, mix, set, svg } from "./dom";
 
 /** Squares move in steps, and by the arrow keys with Shift in leaps. */
-export interface PlotAxis {
-  label: string;
-  from: number;
-  to: number;
-  ticks: number[];
-  step: number;
-  leap: number;
-}
+export type PlotAxis = { label: string; from: number; to: number; ticks: number[]; step: number; leap: number };
 
 /** `text` stands beside it, and screen readers say it. */
-export interface Square {
-  x: number;
-  y: number;
-  colour: string;
-  name: string;
-  text: string;
-  isSelected: boolean;
-}
+type Square = { x: number; y: number; colour: string; name: string; text: string; isSelected: boolean };
 
-export interface PlotHandlers {
+interface Handlers {
   move(square: number, x: number, y: number, gesture: string): void;
   select?(square: number): void;
   add?(x: number, y: number): void;
@@ -33,6 +19,7 @@ export interface PlotHandlers {
 
 const margin = { left: 44, right: 14, top: 12, bottom: 38 };
 const ways = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowDown: [0, -1], ArrowUp: [0, 1] };
+const shareOf = (value: number, { from, to }: PlotAxis): number => (value - from) / (to - from);
 let gestures = 0;
 
 export class Plot {
@@ -53,7 +40,7 @@ export class Plot {
     name: string,
     readonly x: PlotAxis,
     readonly y: PlotAxis,
-    private readonly handlers: PlotHandlers,
+    private readonly handlers: Handlers,
   ) {
     const dblclick = (event: MouseEvent): void => this.doubleClicked(event);
     this.picture = svg("svg", { role: "group", "aria-label": name, dblclick }, this.frame, this.curves, this.squares);
@@ -62,15 +49,8 @@ export class Plot {
     new ResizeObserver(() => this.layout()).observe(byId(home));
   }
 
-  px(value: number): number {
-    const share = (value - this.x.from) / (this.x.to - this.x.from);
-    return margin.left + share * (this.width - margin.left - margin.right);
-  }
-
-  py(value: number): number {
-    const share = (value - this.y.from) / (this.y.to - this.y.from);
-    return this.height - margin.bottom - share * (this.height - margin.top - margin.bottom);
-  }
+  readonly px = (x: number): number => mix(margin.left, this.width - margin.right, shareOf(x, this.x));
+  readonly py = (y: number): number => mix(this.height - margin.bottom, margin.top, shareOf(y, this.y));
 
   show(squares: Square[]): void {
     this.shown = squares;
@@ -133,16 +113,16 @@ export class Plot {
   }
 
   private rounded(x: number, y: number): [number, number] {
-    const onAxis = (value: number, { from, to, step }: PlotAxis): number =>
+    const at = (value: number, { from, to, step }: PlotAxis): number =>
       Number((Math.round(clamp(value, from, to) / step) * step).toFixed(4));
-    return [onAxis(x, this.x), onAxis(y, this.y)];
+    return [at(x, this.x), at(y, this.y)];
   }
 
   // Numbers of the axes, so many pixels to the right and down of others.
   private moved(x: number, y: number, right: number, down: number): [number, number] {
-    const perPixelX = (this.x.to - this.x.from) / (this.width - margin.left - margin.right);
-    const perPixelY = (this.y.to - this.y.from) / (this.height - margin.top - margin.bottom);
-    return this.rounded(x + right * perPixelX, y - down * perPixelY);
+    const perPixelX = (this.x.to - this.x.from) / (this.px(this.x.to) - this.px(this.x.from));
+    const perPixelY = (this.y.to - this.y.from) / (this.py(this.y.to) - this.py(this.y.from));
+    return this.rounded(x + right * perPixelX, y + down * perPixelY);
   }
 
   private doubleClicked(event: MouseEvent): void {

@@ -83,10 +83,8 @@ export class StripPanel {
     });
     byId("bound").append(this.bound.element);
     this.chooser.addEventListener("change", () => page.selectLut(this.chooser.value));
-    new ResizeObserver(() => {
-      this.width = clamp(this.canvas.clientWidth, 64, 1024);
-      this.show();
-    }).observe(this.canvas);
+    const resized = (): void => void (this.width = clamp(this.canvas.clientWidth, 64, 1024));
+    new ResizeObserver(() => [resized(), this.show()]).observe(this.canvas);
   }
 
   show(): void {

@@ -33,7 +33,10 @@ export class TextPanel {
       if (document.activeElement === this.area) this.area.setSelectionRange(selectionStart, selectionEnd);
     }
     const messages = doc.opened.mistakes.map(({ message, line, column }) => {
-      const jump = (): void => this.jump(line, column);
+      const jump = (): void => {
+        this.area.focus();
+        this.area.selectionStart = this.area.selectionEnd = offsetOf(this.area.value, line, column);
+      };
       const said = message.replace("scene.toml:", "");
       return el("li", { class: "mistake" }, line === 0 ? message : el("button", { click: jump }, said));
     });
@@ -41,12 +44,6 @@ export class TextPanel {
     byId("messages").replaceChildren(...messages, ...warnings);
     byId("messages-summary").hidden = messages.length === 0;
     this.paint();
-  }
-
-  private jump(line: number, column: number): void {
-    const at = offsetOf(this.area.value, line, column);
-    this.area.focus();
-    this.area.setSelectionRange(at, at);
   }
 
   // The same text below the transparent one of the text area, in colours. Lines that have not changed stay.

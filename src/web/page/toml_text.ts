@@ -6,11 +6,7 @@ export type TomlValue = number | string | boolean | string[] | { toml: string };
 type Values = Record<string, SceneValue>;
 
 /** Characters begin to end are replaced. */
-interface Edit {
-  begin: number;
-  end: number;
-  text: string;
-}
+type Edit = { begin: number; end: number; text: string };
 
 function inToml(value: TomlValue): string {
   if (typeof value === "number") return String(Number(value.toPrecision(7)));

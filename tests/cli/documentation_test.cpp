@@ -31,11 +31,24 @@ using Lines = std::vector<std::string>;
 
 const std::filesystem::path root = NACRE_SOURCE_DIR;
 
+// Of the project itself: not those of npm, which are there once the page was built.
+std::vector<std::filesystem::path> files_below(const std::filesystem::path& folder) {
+    std::vector<std::filesystem::path> files;
+    for (auto entry = std::filesystem::recursive_directory_iterator(folder); entry != end(entry); ++entry) {
+        if (entry->path().filename() == "node_modules") {
+            entry.disable_recursion_pending();
+        } else {
+            files.push_back(entry->path());
+        }
+    }
+    return files;
+}
+
 std::vector<MarkdownPage> all_pages() {
     std::vector<MarkdownPage> pages{read_markdown(root / "README.md"), read_markdown(root / "CHANGELOG.md")};
     for (const char* folder : {"configs", "luts", "src", "tests"}) {
-        for (const auto& entry : std::filesystem::recursive_directory_iterator(root / folder)) {
-            if (entry.path().extension() == ".md") pages.push_back(read_markdown(entry.path()));
+        for (const auto& file : files_below(root / folder)) {
+            if (file.extension() == ".md") pages.push_back(read_markdown(file));
         }
     }
     std::sort(pages.begin(), pages.end(), [](const auto& a, const auto& b) { return a.path < b.path; });
@@ -179,8 +192,7 @@ TEST(MechanismPages, NameEveryMechanismThatPicksCanLeadTo) {
 TEST(PageAboutTheCode, NamesFilesThatExist) {
     std::set<std::string> names;
     for (const char* folder : {"src", "tests"}) {
-        for (const auto& entry : std::filesystem::recursive_directory_iterator(root / folder))
-            names.insert(entry.path().filename().string());
+        for (const auto& file : files_below(root / folder)) names.insert(file.filename().string());
     }
     const auto exists = [&](const std::string& file) {
         for (const auto& folder : {root, root / "src", root / "src/nacre"}) {

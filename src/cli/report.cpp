@@ -57,12 +57,4 @@ Json work_json(const Work& work) {
             {"effects", effects}};
 }
 
-std::string out_of_reach(const ChosenLut& chosen) {
-    const PlannedLut& lut = chosen.lut;
-    return lut.where.text() + " " + lut.name + ": " + (lut.request.is_binding ? "" : "the default ") +
-           "max_de00 = " + number_text(lut.request.max_de00) + " cannot be reached; the best is " +
-           significant_text(chosen.predicted.total, 3) + ", with " + size_text(lut.job) + " " +
-           std::string(name_of(format_words, lut.format)) + ": " + chosen.limiting_factor;
-}
-
 }  // namespace nacre

@@ -25,7 +25,4 @@ std::string width_text(const Job& job);
 /// How many of each kind of step a computation took.
 Json work_json(const Work& work);
 
-/// What a user who asked for more than there is should know: the best that was reached, and what stands in the way.
-std::string out_of_reach(const ChosenLut& lut);
-
 }  // namespace nacre

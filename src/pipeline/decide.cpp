@@ -8,6 +8,9 @@
 
 #include "nacre/accuracy/choose_pair.h"
 #include "nacre/base/error.h"
+#include "nacre/base/text.h"
+#include "nacre/lut/formats.h"
+#include "nacre/lut/job.h"
 #include "pipeline/baked_lut.h"
 #include "pipeline/thread_clock.h"
 
@@ -60,6 +63,14 @@ void decide(std::span<DecidedLut> tasks, const Execution& execution) {
 
 bool DecidedLut::is_out_of_reach() const {
     return failure.empty() && !lut.is_reached && lut.lut.request.has_bound && space().has_inverse();
+}
+
+std::string out_of_reach(const ChosenLut& chosen) {
+    const PlannedLut& lut = chosen.lut;
+    return lut.where.text() + " " + lut.name + ": " + (lut.request.is_binding ? "" : "the default ") +
+           "max_de00 = " + number_text(lut.request.max_de00) + " cannot be reached; the best is " +
+           significant_text(chosen.predicted.total, 3) + ", with " + size_text(lut.job) + " " +
+           std::string(name_of(format_words, lut.format)) + ": " + chosen.limiting_factor;
 }
 
 void override_accuracy(std::vector<LoadedScene>& scenes, const AccuracyOverride& accuracy) {

@@ -24,6 +24,9 @@ struct DecidedLut {
     bool is_out_of_reach() const;
 };
 
+/// What a user who asked for more than there is should know: the best that was reached, and what stands in the way.
+std::string out_of_reach(const ChosenLut& lut);
+
 /// What a front end says about accuracy beside the scenes.
 struct AccuracyOverride {
     std::optional<double> max_de00;        ///< a binding bound for every LUT

@@ -153,6 +153,8 @@ Session::Entry& Session::baked(const std::string& lut) {
     }
     Entry& entry = *find();
     if (!entry.decided.failure.empty()) throw Error(entry.decided.failure);
+    if (entry.decided.is_out_of_reach() && entry.decided.lut.lut.request.is_binding)
+        throw Error(out_of_reach(entry.decided.lut));
     if (!entry.baked) entry.baked = std::make_unique<BakedLut>(bake_within_bound(entry.decided, {}));
     return entry;
 }
@@ -165,6 +167,7 @@ Session::Answer Session::bake(const std::string& lut, bool is_coarse) {
     const PlannedLut& asked = planned(lut);
     const PlannedLut wide = with_bound(asked, asked.request.max_de00 * coarse_times);
     const DecidedLut decided = decided_alone(scene(), wide);
+    if (decided.is_out_of_reach() && asked.request.is_binding) throw Error(out_of_reach(decided.lut));
     BakedLut baked;
     baked.image = decided.space().to_rgb(nacre::bake(decided.lut.lut.job));
     return {baked_json(decided, baked), components(baked.image)};

@@ -34,6 +34,7 @@ public:
     };
     /// Decides, computes and measures a LUT; a second call is answered from memory.
     /// @param is_coarse  at a bound eight times as wide, and not measured: a quick answer. It is not kept
+    /// @throws Error if its bound was given and is out of reach, as the program refuses it
     /// The numbers are R, G, B of every texel as stored, the first row that of the smallest y.
     Answer bake(const std::string& lut, bool is_coarse = false);
 

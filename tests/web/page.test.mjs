@@ -148,6 +148,54 @@ describe("the page", () => {
     await page.click("#text-toggle");
   });
 
+  test("does not touch a wrong text but to correct a value of it", async () => {
+    const wrong = sceneText("morpho").replace("shape = 0.26", "shape = 2.6");
+    await page.evaluate((text) => window.nacrePage.doc.replace(text), wrong);
+    await page.getByRole("button", { name: "Add pick" }).click();
+    assert.equal(await textOf(page), wrong);
+    await page.evaluate(() => window.nacrePage.doc.set({ "material.morpho.shape": 0.26 }));
+    assert.deepEqual(await page.evaluate(() => window.nacrePage.doc.opened.mistakes), []);
+    await page.evaluate(() => window.nacrePage.doc.replace("[material.morpho"));
+    await page.getByRole("button", { name: "Add pick" }).click();
+    assert.equal(await textOf(page), "[material.morpho");
+    await write(page, sceneText("morpho"));
+  });
+
+  test("undoes picked colours one by one", async () => {
+    await write(page, sceneText("morpho"));
+    for (const colour of ["#22aa44", "#8822cc"]) {
+      await page.getByLabel("Colour of the pick, #rrggbb").fill(colour);
+      await page.keyboard.press("Enter");
+    }
+    await page.getByRole("button", { name: "Undo" }).click();
+    assert.match(await textOf(page), /#22aa44/);
+    await page.getByRole("button", { name: "Undo" }).click();
+    assert.equal(await textOf(page), sceneText("morpho"));
+  });
+
+  test("says that a bound is out of reach", async () => {
+    await write(page, `${sceneText("beetle_stack")}\n[accuracy]\nmax_de00 = 0.1\nwithout = ["polarisation"]\n`);
+    await page.getByText(/cannot be reached; the best is/).first().waitFor();
+  });
+
+  test("starts with something to look at, whatever the address holds", async () => {
+    for (const hash of ["#AAAA", "#%%%"]) {
+      const other = await openPage(browser.context, hash);
+      assert.equal(await textOf(other), sceneText("morpho"));
+      await other.getByText("holds no scene").waitFor();
+      await other.close();
+    }
+    const wrong = await page.evaluate(async () => {
+      const bytes = new Blob(["hello world"]).stream().pipeThrough(new CompressionStream("deflate-raw"));
+      const packed = new Uint8Array(await new Response(bytes).arrayBuffer());
+      return btoa(String.fromCharCode(...packed)).replaceAll("+", "-").replaceAll("/", "_").replace(/=+$/, "");
+    });
+    const other = await openPage(browser.context, `#${wrong}`);
+    assert.equal(await textOf(other), "hello world");
+    assert.equal(await other.evaluate(() => window.nacrePage.baked.name), "morpho");
+    await other.close();
+  });
+
   test("has the scene in its address", async () => {
     await write(page, sceneText("oil_film"));
     await page.waitForFunction(() => location.hash.length > 20);

@@ -210,6 +210,21 @@ TEST(SessionBake, ACoarseAnswerIsNearTheExactOne) {
     EXPECT_LT(largest_difference(coarse.numbers, parsed(coarse.json)["width"], exact.numbers, width), 0.02);
 }
 
+// Without polarisation these colours are wrong by far more than the bound, and no texture can help.
+TEST(SessionBake, RefusesABoundThatIsOutOfReach) {
+    Session session;
+    opened(session, shipped("beetle_stack") + "\n[accuracy]\nmax_de00 = 0.1\nwithout = [\"polarisation\"]\n");
+    for (const bool is_coarse : {true, false}) {
+        try {
+            session.bake(session.luts().front(), is_coarse);
+            ADD_FAILURE() << "was baked";
+        } catch (const Error& error) {
+            EXPECT_NE(std::string(error.what()).find("max_de00 = "), std::string::npos) << error.what();
+            EXPECT_NE(std::string(error.what()).find("cannot be reached; the best is"), std::string::npos);
+        }
+    }
+}
+
 TEST(SessionBake, APairIsOneDecision) {
     Session session;
     opened(session, std::string(film) + "[lut.bubble]\nquantity = \"both\"\n");

@@ -35,15 +35,28 @@ export class SceneDocument {
 
   /** Sets values of a table by their keys, or of the scene by their paths. What is missing is inserted. */
   set(changes: Record<string, TomlValue>, gesture = "", table = ""): void {
+    const areThere = Object.keys(changes).every((key) => this.has(table === "" ? key : `${table}.${key}`));
+    if (!areThere && this.isWrong()) return;
     this.replace(withValues(this.text, this.opened.values, changes, table), gesture);
   }
 
-  readonly addItem = (array: string, item: string): void =>
-    this.replace(withItem(this.text, this.opened.values, array, item));
-  readonly remove = (path: string): void => this.replace(without(this.text, this.opened.values, path));
+  addItem(array: string, item: string): void {
+    if (!this.isWrong()) this.replace(withItem(this.text, this.opened.values, array, item));
+  }
+
+  remove(path: string): void {
+    if (!this.isWrong()) this.replace(without(this.text, this.opened.values, path));
+  }
+
+  // The panels show the last scene without mistakes: of the wrong text they may only correct values.
+  private isWrong(): boolean {
+    if (this.opened.mistakes.length > 0) this.onChange();
+    return this.opened.mistakes.length > 0;
+  }
 
   /** Sets some keys of a table and removes others, as one step. */
   exchange(table: string, changes: Record<string, TomlValue>, removed: string[], gesture: string): void {
+    if (this.isWrong()) return;
     let text = withValues(this.text, this.opened.values, changes, table);
     for (const key of removed) text = without(text, this.engine.open(text).values, `${table}.${key}`);
     this.replace(text, gesture);

@@ -1,5 +1,6 @@
 // In and out: the gallery of shipped scenes, opening, dropping and saving, and what one leaves with.
 
+import type { BakedLut } from "./api";
 import { inAddress } from "./document";
 import { byId, el } from "./dom";
 import type { NacrePage } from "./main";
@@ -9,6 +10,16 @@ function download(name: string, part: BlobPart, type: string): void {
   const href = URL.createObjectURL(new Blob([part], { type }));
   el("a", { href, download: name }).click();
   setTimeout(() => URL.revokeObjectURL(href), 1000);
+}
+
+/** A LUT as a picture of a size that programs show: its colours over even degrees, rows as they are. */
+function stripPicture(lut: BakedLut): HTMLCanvasElement {
+  const [row, picture] = [el("canvas", {}), el("canvas", { width: 1024, height: Math.max(128, lut.height) })];
+  paintStrip(row, lut, picture.width);
+  const context = picture.getContext("2d")!;
+  context.imageSmoothingEnabled = false;
+  context.drawImage(row, 0, 0, picture.width, picture.height);
+  return picture;
 }
 
 export class FilesPanel {
@@ -35,15 +46,21 @@ export class FilesPanel {
 
   // Scenes replace the text; tables and materials are put beside it, where the scene may name them.
   private async take(files: File[]): Promise<void> {
-    for (const file of files.filter(({ name }) => !name.endsWith(".toml"))) {
+    const isScene = ({ name }: File): boolean => /\.toml$/i.test(name);
+    let said = "";
+    for (const file of files.filter((one) => !isScene(one))) {
+      const isTable = /\.(csv|ya?ml)$/i.test(file.name);
+      said = `${file.name} is no scene (.toml), table (.csv) or material (.yml)`;
+      if (!isTable) continue;
       const bytes = new Uint8Array(await file.arrayBuffer());
       this.page.here.putFile(file.name, bytes);
       this.page.worker.putFile(file.name, bytes).catch(() => undefined);
-      this.page.say(`${file.name} lies beside the scene now; name it in the text: "${file.name}"`);
+      said = `${file.name} lies beside the scene now; name it in the text: "${file.name}"`;
     }
-    const scene = files.find(({ name }) => name.endsWith(".toml"));
+    const scene = files.find(isScene);
     if (scene) this.page.open(scene.name, await scene.text());
     else this.page.doc.read();
+    if (said !== "" && this.page.doc.opened.mistakes.length === 0) this.page.say(said);
   }
 
   private gallery(): void {
@@ -80,12 +97,11 @@ export class FilesPanel {
     const { page } = this;
     const give = (part: string | Uint8Array | Blob, end: string, type: string): void =>
       download(`${page.lut?.name}.${end}`, part as BlobPart, type);
-    const strip = byId<HTMLCanvasElement>("strip-canvas");
     const address = location.href.replace(/#.*/, "");
     const actions: Record<string, () => Promise<void> | void> = {
       "Texture (EXR)": async () => give(await page.asked((nacre, lut) => nacre.exr(lut)), "exr", "image/x-exr"),
       "Manifest (JSON)": async () => give(await page.asked((nacre, lut) => nacre.manifest(lut)), "json", "text/json"),
-      "Strip (PNG)": () => strip.toBlob((blob) => give(blob!, "png", "image/png")),
+      "Strip (PNG)": () => stripPicture(page.baked!).toBlob((blob) => give(blob!, "png", "image/png")),
       "Scene (TOML)": () => this.save(),
       "Copy snippet (GLSL)": () => this.copy(page.here.snippet("glsl"), "nacre.glsl"),
       "Copy snippet (HLSL)": () => this.copy(page.here.snippet("hlsl"), "nacre.hlsl"),

@@ -198,7 +198,12 @@ async function start(): Promise<void> {
   Object.assign(window, { nacrePage: page });
   const first = here.shippedScenes().find(({ name }) => name === "morpho")!;
   const linked = await fromAddress(location.hash);
-  page.open(linked === "" ? first.name : "", linked || first.text);
+  const isWrong = linked !== "" && here.open(linked).mistakes.length > 0;
+  // A wrong text is shown over a scene that is right: there is always something to look at.
+  if (linked === "" || isWrong) page.open(first.name, first.text);
+  if (linked !== "" && !isWrong) page.open("", linked);
+  if (isWrong) page.doc.replace(linked);
+  if (linked === "" && location.hash !== "") page.say("The address holds no scene that can be read; this is the Morpho");
   document.body.classList.add("ready");
 }
 

@@ -213,7 +213,7 @@ export class OutputView {
       shadeSize: object.shade,
       fixedRow: settings.row ?? (settings.flat === null ? -1 : 0.5),
       roughness: settings.roughness,
-      brightness: 2 ** settings.exposure,
+      brightness: 2 ** Math.max(-20, Math.min(20, settings.exposure)),
       gain: (this.described?.gain ?? 1) * (name === "bubble" ? 3 : name === "wing" ? 1.5 : 1),
       board: isThrough || settings.background === "board" ? 1 : 0,
       toGamut: this.gl?.drawingBufferColorSpace === "display-p3" ? toDisplayP3 : identity,

@@ -35,7 +35,7 @@ export class PalettePanel {
     });
     this.native.addEventListener("input", () => this.setColour(this.native.value));
     this.native.addEventListener("change", () => ++this.gesture);
-    this.text.addEventListener("change", () => this.setColour(this.text.value.trim()));
+    this.text.addEventListener("change", () => this.setNewColour(this.text.value.trim()));
     const shows = el("span", { class: "dim" }, "shows");
     byId("colour").append(this.native, this.text, ...this.dropper(), shows, this.made, this.note);
   }
@@ -70,9 +70,15 @@ export class PalettePanel {
     if (!EyeDropper) return [];
     const take = async (): Promise<void> => {
       const taken = await new EyeDropper().open().catch(() => undefined);
-      if (taken) this.setColour(taken.sRGBHex);
+      if (taken) this.setNewColour(taken.sRGBHex);
     };
     return [el("button", { click: () => void take(), title: "Take a colour from the screen" }, "Eyedropper")];
+  }
+
+  // Each is a step of its own in undo, where the native picker sends many colours of one step.
+  private setNewColour(colour: string): void {
+    ++this.gesture;
+    this.setColour(colour);
   }
 
   private setColour(colour: string): void {
@@ -82,7 +88,7 @@ export class PalettePanel {
     }
     const path = `${materialPath(material!)}.picks[${pick}]`;
     const given = [...bandKeys, "space", "color"].filter((key) => doc.has(`${path}.${key}`));
-    doc.exchange(path, { colour: `#${colour.replace("#", "").toLowerCase()}` }, given, `colour ${this.gesture}`);
+    doc.exchange(path, { colour: `#${colour.replace("#", "").toLowerCase()}` }, given, `colour ${pick} ${this.gesture}`);
   }
 
   private showColour({ colour, rgb, note = "exact" }: Pick, shown: string): void {

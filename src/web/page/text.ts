@@ -5,6 +5,7 @@ import type { NacrePage } from "./main";
 import { offsetOf } from "./toml_text";
 
 const pauseMs = 150;
+const mostPainted = 100000;
 // A heading, what is neither, and a comment.
 const partsOfLine = /^(\s*\[+[^\]=]*\]+)?((?:"[^"]*"|[^"#])*)(#.*)?$/;
 
@@ -48,6 +49,14 @@ export class TextPanel {
 
   // The same text below the transparent one of the text area, in colours. Lines that have not changed stay.
   private paint(): void {
+    // Of a text that no hand has written the browser would draw for minutes: it stays plain.
+    const isLong = this.area.value.length > mostPainted;
+    this.area.classList.toggle("plain", isLong);
+    if (isLong) {
+      for (const column of [this.colours, this.numbers]) column.replaceChildren();
+      this.painted = [];
+      return;
+    }
     const wrong = new Set(this.page.doc.opened.mistakes.map((mistake) => mistake.line));
     const lines = this.area.value.split("\n").map((line, i) => (wrong.has(i + 1) ? `!${line}` : ` ${line}`));
     for (const column of [this.colours, this.numbers]) {

@@ -11,6 +11,7 @@ export class SceneDocument {
   /** Of the text as it is, perhaps with mistakes; and of the last text without. */
   opened: OpenedScene = { mistakes: [], warnings: [], values: {}, materials: [], luts: [] };
   scene = this.opened;
+  goodText = "";
   /** How long nacre took to read the text. */
   openMs = 0;
   /** Called after every change. */
@@ -87,7 +88,7 @@ export class SceneDocument {
     const start = performance.now();
     this.text = text;
     this.opened = this.engine.open(text);
-    if (this.opened.mistakes.length === 0) this.scene = this.opened;
+    if (this.opened.mistakes.length === 0) [this.scene, this.goodText] = [this.opened, text];
     this.openMs = performance.now() - start;
     this.onChange();
   }

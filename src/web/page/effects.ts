@@ -58,7 +58,7 @@ export class SearchPanel {
     const seconds = (): string => short((performance.now() - start) / 1000, 2);
     const step = (): void => void (byId("search-time").textContent = `${seconds()} s`);
     try {
-      const opening = worker.open(doc.text);
+      const opening = worker.open(doc.goodText);
       const [found] = await Promise.all([worker.findStructure(material!.name, mechanism, step), opening]);
       this.mark(false, el("p", {}, found.summary), el("button", { class: "primary" }, `Use this ${mechanism}`));
       const taker = byId("search-result").querySelector("button")!;

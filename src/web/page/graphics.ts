@@ -59,8 +59,20 @@ export function drawn(gl: WebGL2RenderingContext, mesh: Mesh): () => void {
   };
 }
 
+/** A LUT that is wider than this machine's textures may be, with every other texel; the file has them all. */
+function narrowed({ width, height, texels }: BakedLut, most: number): Pick<BakedLut, "width" | "height" | "texels"> {
+  if (width <= most) return { width, height, texels };
+  const narrow = new Float32Array(most * height * 3);
+  for (let i = 0; i < most * height; ++i) {
+    const from = Math.floor(i / most) * width + Math.round(((i % most) * (width - 1)) / (most - 1));
+    for (let c = 0; c < 3; ++c) narrow[3 * i + c] = texels[3 * from + c]!;
+  }
+  return { width: most, height, texels: narrow };
+}
+
 /** Linear, clamped, without mip-maps, as luts/README.md asks; half floats where floats cannot be filtered. */
-export function uploadLut(gl: WebGL2RenderingContext, unit: number, { width, height, texels }: BakedLut): WebGLTexture {
+export function uploadLut(gl: WebGL2RenderingContext, unit: number, lut: BakedLut): WebGLTexture {
+  const { width, height, texels } = narrowed(lut, gl.getParameter(gl.MAX_TEXTURE_SIZE) as number);
   const format = gl.getExtension("OES_texture_float_linear") ? gl.RGB32F : gl.RGB16F;
   const texture = gl.createTexture()!;
   gl.activeTexture(gl.TEXTURE0 + unit);

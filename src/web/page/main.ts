@@ -106,7 +106,7 @@ export class NacrePage {
   }
 
   private async askWorker<Result>(work: (worker: AsyncEngine, lut: string) => Promise<Result>): Promise<Result> {
-    const [, result] = await Promise.all([this.worker.open(this.doc.text), work(this.worker, this.lut!.name)]);
+    const [, result] = await Promise.all([this.worker.open(this.doc.goodText), work(this.worker, this.lut!.name)]);
     return result;
   }
 
@@ -123,8 +123,11 @@ export class NacrePage {
     this.say(opened.mistakes[0]?.message ?? "");
     for (const panel of this.ofScene) panel.show();
     this.showMs = performance.now() - start;
-    cancelAnimationFrame(this.frame);
-    if (opened.mistakes.length === 0) this.frame = requestAnimationFrame(() => this.update());
+    // A wrong text changes nothing that is shown; what was to be shown still is.
+    if (opened.mistakes.length === 0) {
+      cancelAnimationFrame(this.frame);
+      this.frame = requestAnimationFrame(() => this.update());
+    }
     clearTimeout(this.addressTimer);
     const keep = async (): Promise<void> => history.replaceState(null, "", `#${await inAddress(this.doc.text)}`);
     this.addressTimer = window.setTimeout(keep, addressMs);
@@ -139,7 +142,7 @@ export class NacrePage {
     const isKnown = !this.isCoarse && this.baked?.name === name;
     const seconds = isKnown ? Object.values(this.baked!.seconds).reduce((sum, part) => sum + part, 0) : 0;
     this.isBakedHere = ["palette", "film"].includes(this.material.mechanism) && !y && seconds < frameSeconds;
-    const request = { text: this.doc.text, luts, startMs };
+    const request = { text: this.doc.goodText, luts, startMs };
     document.body.classList.toggle("busy", !this.isBakedHere);
     if (!this.isBakedHere && this.isSpare) this.worker.cancel();
     this.bakes.request(this.isBakedHere ? undefined : request);

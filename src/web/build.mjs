@@ -66,6 +66,11 @@ if (process.argv[1] === fileURLToPath(import.meta.url)) {
   const scenes = await shippedScenes(join(configs, "scenes"));
   const worker = await bundle(join(page, "worker.ts"), moduleFolder, [], "");
   await mkdir(output, { recursive: true });
-  await writeFile(join(output, "page.js"), await bundle(join(page, "main.ts"), moduleFolder, scenes, worker));
+  const banner = { js: `/*! nacre, Apache License 2.0. It contains GLM, Highway, toml++, nlohmann_json, Eigen, Ceres, xxHash, Imath,
+the runtime of Emscripten, and yaml:
+
+${await readFile(join(here, "node_modules", "yaml", "LICENSE"), "utf8")}*/` };
+  const script = await bundle(join(page, "main.ts"), moduleFolder, scenes, worker, { banner });
+  await writeFile(join(output, "page.js"), script);
   for (const file of ["index.html", "style.css"]) await copyFile(join(page, file), join(output, file));
 }

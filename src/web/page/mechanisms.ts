@@ -14,8 +14,8 @@ const keys: Record<string, string[]> = {
   palette: facets,
   film: ["thickness_nm|Thickness|0|1500|1", ...layered],
   stack: [
-    ...["repeat|Repeats|1|40|1", "thickness_nm|Thickness|1|600|1", "films|Films|1|40|1", "film_nm|Film|1|400|1"],
-    ...["gap_nm|Gap|1|400|1", ...layered],
+    ...["repeat|Repeats|1|40|1", "thickness_nm|Thickness|1|600|1", "films|Films|1|40|1", "film_nm|Film thickness|1|400|1"],
+    ...["gap_nm|Gap thickness|1|400|1", ...layered],
   ],
   grating: [
     ...["period_nm|Period|400|5000|10", "grooves|Grooves|1|200|1|100", "depth_nm|Depth|10|400|1"],

@@ -47,7 +47,7 @@ export class OutputPanel {
     };
     byId("output-canvas").addEventListener("lightmoved", (event) => show((event as CustomEvent<number[]>).detail));
     show(this.light);
-    byId("over-surface").addEventListener("click", () => view.set({ row: null }));
+    byId("over-surface").addEventListener("click", () => this.showRow(null));
   }
 
   chooseFor(scene: string): void {
@@ -65,10 +65,15 @@ export class OutputPanel {
     const spec = { label: y.name.replaceAll("_", " "), from: y.from, to: y.to, step: (y.to - y.from) / 200 };
     this.row = new NumberControl(spec, (value) => {
       this.row!.show(value);
-      this.view.set({ row: (value - y.from) / (y.to - y.from) });
+      this.showRow((value - y.from) / (y.to - y.from));
     });
     byId("row").prepend(this.row.element);
-    this.view.set({ row: null });
+    this.showRow(null);
+  }
+
+  private showRow(row: number | null): void {
+    this.view.set({ row });
+    byId("over-surface").ariaPressed = String(row === null);
   }
 
   private choose(name: ObjectName): void {

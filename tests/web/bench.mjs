@@ -61,7 +61,7 @@ async function frames() {
     await write(page, sceneText(scene));
     const { update, draw } = await drag(page, path, from, step);
     const late = [...update].sort((a, b) => a - b)[Math.floor(0.9 * update.length)];
-    console.log(`${scene.padEnd(20)} ${ms(median(update) / 1e3).padStart(10)} ${ms(late / 1e3).padStart(10)}   drawing in software ${ms(median(draw) / 1e3)}`);
+    console.log(`${scene.padEnd(20)} ${ms(median(update) / 1e3).padStart(10)} ${ms(late / 1e3).padStart(10)}   picture handed to the GPU in ${ms(median(draw) / 1e3)}`);
   }
   await close();
 }

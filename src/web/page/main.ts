@@ -162,7 +162,7 @@ export class NacrePage {
     this.view.setLut((isFirstThrough ? second : first)!, isFirstThrough ? first : second);
     this.output.showAxis(first!.y);
     for (const panel of this.ofLut) panel.show();
-    this.view.drawNow();
+    this.view.drawWhenFree();
     document.body.classList.toggle("busy", isCoarse);
     if (!isCoarse) this.lastUpdateMs = performance.now() - startMs;
   }

@@ -45,6 +45,7 @@ export class OutputView {
   private pitch = 8;
   private zoom = 1;
   private request = 0;
+  private done: WebGLSync | null = null;  // when the last picture is
   private frames = 0;
 
   constructor(private readonly canvas: HTMLCanvasElement, private readonly snippet: string) {
@@ -84,9 +85,19 @@ export class OutputView {
     this.draw();
   }
 
-  /** Soon, and once for all changes until then. */
+  /** Soon, and once for all changes until then; not before the last picture is done, so that nobody waits for it. */
   draw(): void {
-    this.request ||= requestAnimationFrame(() => this.drawNow());
+    this.request ||= requestAnimationFrame(() => {
+      this.request = 0;
+      this.drawWhenFree();
+    });
+  }
+
+  /** At once, unless the last picture is not done: then soon. */
+  drawWhenFree(): void {
+    const { gl, done } = this;
+    if (gl && done && gl.getSyncParameter(done, gl.SYNC_STATUS) === gl.UNSIGNALED) this.draw();
+    else this.drawNow();
   }
 
   drawNow(): void {
@@ -97,7 +108,12 @@ export class OutputView {
     const height = Math.round(canvas.clientHeight * scaleOfScreen()) || 1;
     if (canvas.width !== width || canvas.height !== height) [canvas.width, canvas.height] = [width, height];
     if (!gl) this.sayThatThereIsNone();
-    else if (!gl.isContextLost()) this.drawWith(gl);
+    else if (!gl.isContextLost()) {
+      this.drawWith(gl);
+      if (this.done) gl.deleteSync(this.done);
+      this.done = gl.fenceSync(gl.SYNC_GPU_COMMANDS_COMPLETE, 0);
+      gl.flush();
+    }
     canvas.dataset.frame = String(++this.frames);
   }
 

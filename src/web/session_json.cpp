@@ -181,6 +181,7 @@ Json baked_json(const DecidedLut& decided, const BakedLut& baked) {
     if (baked.clamped.below_deg) json["clampedBelowDeg"] = *baked.clamped.below_deg;
     if (baked.clamped.above_deg) json["clampedAboveDeg"] = *baked.clamped.above_deg;
     json["warnings"] = Json::array();
+    if (decided.is_out_of_reach()) json["warnings"].push_back(out_of_reach(decided.lut));
     return json;
 }
 

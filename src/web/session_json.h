@@ -21,7 +21,7 @@ Json values_json(const std::string& text);
 Json mistakes_json(const std::string& message);
 Json material_json(const SceneMaterial& material, const Light& light);
 Json lut_summary_json(const PlannedLut& lut);
-/// @param reached  nothing where it is not measured
+/// A LUT with what its bake has found, and a warning if its bound, which is the default, is out of reach.
 Json baked_json(const DecidedLut& decided, const BakedLut& baked);
 /// Seconds of one thread.
 Json seconds_json(const DecidedLut& decided, const BakedLut& baked);

@@ -175,6 +175,25 @@ TEST(SessionOpen, PicksAreBandsAndTheirColours) {
     EXPECT_EQ(answer["materials"][0]["curve"][60]["peakNm"], 450.0);
 }
 
+// Under incandescent light too a picked colour is shown as it was picked: the light's white is adapted to D65.
+TEST(SessionOpen, PicksUnderAnotherLightAreAdapted) {
+    Session session;
+    const nlohmann::json answer = opened(
+        session, "[light]\nilluminant = \"A\"\n[material.a]\npicks = [ { angle_deg = 0, colour = \"#22aa44\" } ]\n");
+    const nlohmann::json& pick = answer["materials"][0]["picks"][0];
+    const double light[] = {0.0159963, 0.4019778, 0.0578054};
+    for (std::size_t i = 0; i < 3; ++i) EXPECT_NEAR(pick["rgb"][i].get<double>(), light[i], 1e-6);
+    // The band is the last of its field, which is one wide and two high, if it is as wide and high as that.
+    const Lobe lobe{pick["peakNm"], 0.0, 0.0, pick["floor"], pick["flatness"]};
+    const std::vector<float> field = session.palette_field(lobe, pick["widthNm"], 2, 2);
+    const double share = pick["height"];
+    for (std::size_t i = 0; i < 3; ++i) {
+        const double low = static_cast<double>(field[3 + i]);
+        const double high = static_cast<double>(field[9 + i]);
+        EXPECT_NEAR(low + share * (high - low), light[i], 1e-5);  // colours are linear in the height
+    }
+}
+
 TEST(SessionOpen, RefusesAConfigOfOpenColorIo) {
     Session session;
     const nlohmann::json mistakes =
@@ -223,6 +242,17 @@ TEST(SessionBake, RefusesABoundThatIsOutOfReach) {
             EXPECT_NE(std::string(error.what()).find("cannot be reached; the best is"), std::string::npos);
         }
     }
+}
+
+// Nobody gave the bound: it is a goal, and the best there is comes with a word about it.
+TEST(SessionBake, WarnsOfADefaultBoundThatIsOutOfReach) {
+    Session session;
+    opened(session, shipped("beetle_stack") + "\n[accuracy]\nwithout = [\"polarisation\"]\n");
+    const nlohmann::json warnings = parsed(session.bake(session.luts().front()).json)["warnings"];
+    ASSERT_EQ(warnings.size(), 1u);
+    EXPECT_NE(warnings[0].get<std::string>().find("the default max_de00 = 0.1 cannot be reached"), std::string::npos);
+    opened(session, film);
+    EXPECT_TRUE(parsed(session.bake("film").json)["warnings"].empty());
 }
 
 TEST(SessionBake, APairIsOneDecision) {

@@ -164,6 +164,7 @@ export class NacrePage {
     for (const panel of this.ofLut) panel.show();
     this.view.drawWhenFree();
     document.body.classList.toggle("busy", isCoarse);
+    if (first!.warnings[0]) this.say(first!.warnings[0]);
     if (!isCoarse) this.lastUpdateMs = performance.now() - startMs;
   }
 
